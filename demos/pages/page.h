@@ -11,11 +11,11 @@ namespace pushfactor::demos {
 
 // Content under one heading. Files are in the folder of the page.
 struct SectionContent {
-    std::vector<std::string> pictures;   // PNG
-    std::vector<std::string> files;      // other formats: SVG, CSV
-    std::vector<std::string> replays{};  // HTML, opened by their names
-    std::string caption;                 // settings and measured numbers
-    std::vector<std::string> commands;   // that reproduce it with the program
+    std::vector<std::string> pictures{};  // PNG
+    std::vector<std::string> files{};     // other formats: SVG, CSV
+    std::vector<std::string> replays{};   // HTML, opened by their names
+    std::string caption{};                // settings and measured numbers
+    std::vector<std::string> commands{};  // that reproduce it with the program
     TextTable table{};
     std::string kept{};  // HTML of the whole section on an earlier page, instead of all this
 };
@@ -23,7 +23,7 @@ struct SectionContent {
 struct Section {
     std::string name;  // of the anchor
     std::string heading;
-    SectionContent content;
+    SectionContent content{};
 };
 
 // The HTML text of a page with the styles and scripts of these names in assets/pages, in that order. `opening` is

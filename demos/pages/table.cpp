@@ -31,17 +31,22 @@ std::string Cell::rounded() const {
     return size >= 100.0 && size < 1e7 ? fmt::format("{:.0f}", *number_) : fmt::format("{:.3g}", *number_);
 }
 
+std::vector<std::vector<std::string>> exact_rows(const Table& table) {
+    std::vector<std::vector<std::string>> rows;
+    for (const auto& row : table.rows)
+        std::ranges::transform(row, std::back_inserter(rows.emplace_back()), &Cell::exact);
+    return rows;
+}
+
 std::string csv_text(const Table& table) {
     std::string text;
-    const auto add = [&text](const std::string& field, std::size_t i) {
-        text += (i > 0 ? "," : "") + csv_field(field);
-    };
-    for (std::size_t i = 0; i < table.columns.size(); ++i) add(table.columns[i], i);
-    for (const auto& row : table.rows) {
+    const auto add = [&text](const std::vector<std::string>& fields) {
+        for (std::size_t i = 0; i < fields.size(); ++i) text += (i > 0 ? "," : "") + csv_field(fields[i]);
         text += '\n';
-        for (std::size_t i = 0; i < row.size(); ++i) add(row[i].exact(), i);
-    }
-    return text + '\n';
+    };
+    add(table.columns);
+    for (const auto& row : exact_rows(table)) add(row);
+    return text;
 }
 
 std::vector<std::vector<std::string>> page_lines(const Table& table, const std::vector<std::string>& columns) {

@@ -36,6 +36,9 @@ struct Table {
 
 std::string csv_text(const Table& table);  // fields are quoted where necessary
 
+// The rows with all digits of their numbers.
+std::vector<std::vector<std::string>> exact_rows(const Table& table);
+
 // Headings and rounded cells of the named `columns`, by default all.
 std::vector<std::vector<std::string>> page_lines(const Table& table, const std::vector<std::string>& columns = {});
 

@@ -1,6 +1,5 @@
-#include "demos/reports/about.h"
-
 #include "demos/platform/version.h"
+#include "demos/reports/study.h"
 #include "demos/text/json.h"
 
 #include <fmt/format.h>
@@ -12,6 +11,13 @@ namespace pushfactor::demos::reports {
 
 namespace {
 
+#ifdef __clang__
+constexpr const char* compiler = "clang " __clang_version__;
+#else
+constexpr const char* compiler = "g++ " __VERSION__;
+#endif
+
+// Model name; empty if unknown.
 std::string cpu_model() {
     std::ifstream info("/proc/cpuinfo");
     for (std::string line; std::getline(info, line);) {
@@ -23,31 +29,19 @@ std::string cpu_model() {
 
 }  // namespace
 
-About about_this() {
-#ifdef __clang__
-    const std::string compiler = "clang " __clang_version__;
-#else
-    const std::string compiler = "g++ " __VERSION__;
-#endif
-    return {.version = version_text(),
-            .compiler = compiler,
-            .flags = compile_flags(),
-            .cpu = cpu_model(),
-            .cores = std::thread::hardware_concurrency()};
+std::string about_json() {
+    const std::string cpu = cpu_model();
+    return json_text(Json{{"program", "pushfactor " + version_text()},
+                          {"compiler", compiler},
+                          {"flags", compile_flags()},
+                          {"cpu", cpu.empty() ? Json(nullptr) : Json(cpu)},
+                          {"cores", std::thread::hardware_concurrency()}});
 }
 
-std::string about_json(const About& about) {
-    const Json json{{"program", "pushfactor " + about.version},
-                    {"compiler", about.compiler},
-                    {"flags", about.flags},
-                    {"cpu", about.cpu.empty() ? Json(nullptr) : Json(about.cpu)},
-                    {"cores", about.cores}};
-    return json_text(json);
-}
-
-std::string line_of(const About& about) {
-    return fmt::format("pushfactor {}, {}, {}; {}{} cores", about.version, about.compiler, about.flags,
-                       about.cpu.empty() ? "" : about.cpu + ", ", about.cores);
+std::string about_line() {
+    const std::string cpu = cpu_model();
+    return fmt::format("pushfactor {}, {}, {}; {}{} cores", version_text(), compiler, compile_flags(),
+                       cpu.empty() ? "" : cpu + ", ", std::thread::hardware_concurrency());
 }
 
 }  // namespace pushfactor::demos::reports

@@ -3,8 +3,7 @@
 #include "demos/figures/plot.h"
 #include "demos/platform/output_file.h"
 #include "demos/platform/plain_name.h"
-#include "demos/reports/cost/ledger.h"
-#include "demos/reports/cost/neighbours.h"
+#include "demos/reports/cost/cost.h"
 #include "demos/reports/study.h"
 #include "demos/scenes/catalogue.h"
 #include "demos/scenes/scene_file.h"
@@ -50,13 +49,11 @@ std::vector<Cell> line_of(const Entry& entry, bool everything) {
                            joined(parts.constraints),
                            joined(parts.contacts),
                            joined(parts.step_rules)};
-    for (const double value : {counts.pairs, counts.touches, counts.contact_rows, counts.friction_rows,
-                               counts.distance_rows, counts.joint_rows, counts.columns, counts.substeps})
-        line.emplace_back(value);
+    for (const CountColumn& column : row_columns) line.emplace_back(counts.*column.value);
     for (const auto& [kept, swept, exact, small_steps] : counts.islands)
         line.insert(line.end(), {kept, swept, exact, small_steps});
-    line.insert(line.end(),
-                {counts.at_rest, counts.sweeps, counts.row_updates, counts.multiply_adds, thousandths(times.step)});
+    for (const CountColumn& column : work_columns) line.emplace_back(counts.*column.value);
+    line.emplace_back(thousandths(times.step));
     const bool touches = counts.contact_rows > 0.0;
     line.push_back(touches ? Cell(thousandths(times.step / counts.contact_rows)) : Cell());
     line.push_back(touches && times.bytes ? Cell(std::round(*times.bytes / counts.contact_rows)) : Cell());
@@ -68,14 +65,14 @@ std::vector<Cell> line_of(const Entry& entry, bool everything) {
 // A line per entry for the scene as it is, and if `both` another with everything.
 Table table_of(const std::vector<Entry>& entries, bool both) {
     Table table{{"scene", "start_s", "made", "bodies", "force_sources", "constraint_sources", "contact_rules",
-                 "step_rules", "pairs", "touches", "contact_rows", "friction_rows", "distance_rows", "joint_rows",
-                 "columns", "substeps"}};
+                 "step_rules"}};
+    for (const CountColumn& column : row_columns) table.columns.emplace_back(column.name);
     for (const std::string_view kind : island_kinds) {
         for (const char* const way : {"kept", "swept", "exact", "small_steps"})
             table.columns.push_back(fmt::format("{}_{}", kind, way));
     }
-    table.columns.insert(table.columns.end(), {"bodies_at_rest", "sweeps", "row_updates", "multiply_adds",
-                                               "step_us", "us_per_contact", "bytes_per_contact"});
+    for (const CountColumn& column : work_columns) table.columns.emplace_back(column.name);
+    table.columns.insert(table.columns.end(), {"step_us", "us_per_contact", "bytes_per_contact"});
     for (const std::string_view stage : phase_names) table.columns.push_back(fmt::format("{}_us", stage));
     table.columns.emplace_back("command");
     for (const Entry& entry : entries) {
@@ -155,8 +152,8 @@ class CostReport {
   public:
     explicit CostReport(StudyRun& run)
         : run_(run),
-          cases_(run.wanted(cost_cases(run.quick()), &CostCase::scene)),
-          neighbours_(run.wants(side_by_side) ? neighbours(run.quick()) : std::vector<Neighbours>{}) {}
+          cases_(run.request().wanted(cost_cases(run.quick()), &CostCase::scene)),
+          neighbours_(run.request().wants(side_by_side) ? neighbours(run.quick()) : std::vector<Neighbours>{}) {}
 
     void make() {
         make_folder(run_.folder() / "everything");

@@ -2,11 +2,10 @@
 // (scenes against themselves at smaller steps), and their plots.
 #include "demos/platform/output_file.h"
 #include "demos/platform/plain_name.h"
-#include "demos/reports/about.h"
-#include "demos/reports/error/error_pieces.h"
-#include "demos/reports/error/other_engines.h"
-#include "demos/reports/error/work_plot.h"
-#include "demos/reports/study.h"
+#include "demos/reports/error/consistency.h"
+#include "demos/reports/error/frozen_moments.h"
+#include "demos/reports/error/points.h"
+#include "demos/text/errors.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -14,9 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <map>
-#include <span>
 
 namespace pushfactor::demos::reports {
 
@@ -24,30 +21,64 @@ namespace {
 
 using namespace error;
 
+constexpr const char* frozen_part = "frozen";
+constexpr const char* consistency_part = "consistency";
 constexpr std::array answered{1e-2, 1e-4, 1e-6, 1e-8};  // errors of the first table
 
-using MakeWork = std::function<double(const ErrorPoint&)>;
-
-double plotted_error(const ErrorPoint& point) {
-    return point.errors.front().value;
+std::vector<Experiment> experiments_of(const StudyRequest& request) {
+    return request.wanted(error_experiments(request.quick), &Experiment::name);
 }
+
+std::vector<FrozenMoment> moments_of(const StudyRequest& request) {
+    return request.wants(frozen_part) ? hard_moments(request.quick) : std::vector<FrozenMoment>();
+}
+
+// Throws UsageError for points of other engines that cannot be read or that are on no scene of the request.
+std::vector<ErrorPoint> others_of(const StudyRequest& request) {
+    if (!request.beside) return {};
+    std::vector<ErrorPoint> others = read_error_points(*request.beside);
+    const auto has_others = [&](const Experiment& sweep) {
+        return std::ranges::find(others, sweep.scene, &ErrorPoint::scene) != others.end();
+    };
+    if (std::ranges::none_of(experiments_of(request), has_others)) {
+        throw UsageError(
+            fmt::format("--beside {}: must have points on scenes of the report", request.beside->string()));
+    }
+    return others;
+}
+
+Pieces error_pieces(const StudyRequest& request) {
+    others_of(request);
+    Pieces pieces = point_pieces(experiments_of(request));
+    const auto add = [&pieces](const Pieces& more) { pieces.insert(pieces.end(), more.begin(), more.end()); };
+    add(frozen_pieces(moments_of(request), request.quick));
+    if (request.wants(consistency_part)) add(consistency_pieces(request.quick));
+    return pieces;
+}
+
+using MakeWork = std::function<double(const Method&, const ErrorPoint&)>;
 
 std::vector<WorkLine> lines_of(const Experiment& sweep, std::span<const ErrorPoint> points, const MakeWork& work) {
     std::vector<WorkLine> lines;
     for (const Method& method : sweep.methods) {
-        WorkLine line{method.name, method.colour, method.dash, method.mark, {}};
+        WorkLine& line = lines.emplace_back(WorkLine{method.name, method.colour, method.dash, method.mark});
         for (const ErrorPoint& point : points) {
-            if (point.method != method.name) continue;
-            line.points.push_back({plotted_error(point), work(point), point.value, point.failed});
+            if (point.method == method.name)
+                line.points.push_back({point.error(), work(method, point), point.value, point.failed});
         }
-        lines.push_back(std::move(line));
     }
     return lines;
 }
 
+// Moves of all bodies per simulated second.
+double moves_at(const Experiment& sweep, const Method& method, const std::string& value) {
+    const Settings settings = run_at(sweep, method, value).settings;
+    return method.moves * settings.substeps.value_or(1) / settings.dt.value();
+}
+
 // Error ~ work^-order through the second point of a method: the first step is often too large for its order.
 TheoryLine power_line(double order, const WorkPoint& through) {
-    TheoryLine theory{.label = fmt::format("order {:g}", order), .points = {}};
+    TheoryLine theory{.label = fmt::format("order {:g}", order)};
     for (double exponent = -6.0; exponent <= 6.0; exponent += 0.05) {
         const double factor = std::pow(10.0, exponent);
         theory.points.emplace_back(through.error * std::pow(factor, -order), through.work * factor);
@@ -58,7 +89,7 @@ TheoryLine power_line(double order, const WorkPoint& through) {
 // Error ~ contraction^sweeps, work ~ sweeps, through a point after some sweeps.
 TheoryLine contraction_line(double contraction, const WorkPoint& through) {
     const double sweeps = std::stod(through.label);
-    TheoryLine theory{.label = "cos^2(pi/2n) a sweep", .points = {}};
+    TheoryLine theory{.label = "cos^2(pi/2n) a sweep"};
     for (double share = 0.02; share <= 20.0; share *= 1.02) {
         theory.points.emplace_back(through.error * std::pow(contraction, sweeps * (share - 1.0)),
                                    through.work * share);
@@ -95,14 +126,14 @@ std::string numbers_of(std::span<const ErrorPoint> points) {
         if (point.failed) {
             failures.push_back(
                 fmt::format("{} at {} {} ({})", point.method, point.knob, point.value, point.outcome));
-        } else if (!best || plotted_error(point) < plotted_error(*best)) {
+        } else if (!best || point.error() < best->error()) {
             best = &point;
         }
     }
     std::string text;
     if (best) {
-        text += fmt::format(" The smallest error, {:.2g}, is that of {} at {} {}.", plotted_error(*best),
-                            best->method, best->knob, best->value);
+        text += fmt::format(" The smallest error, {:.2g}, is that of {} at {} {}.", best->error(), best->method,
+                            best->knob, best->value);
     }
     if (!failures.empty()) text += fmt::format(" Hollow: {}.", fmt::join(failures, "; "));
     return text;
@@ -110,53 +141,54 @@ std::string numbers_of(std::span<const ErrorPoint> points) {
 
 class ErrorReport {
   public:
-    explicit ErrorReport(StudyRun& run) : run_(run), plan_(error_plan(run.request())) {}
+    explicit ErrorReport(StudyRun& run) : run_(run), others_(others_of(run.request())) {}
 
     void make() {
-        run_.write("about.json", about_json(about_this()));
-        if (run_.request().exported) make_folder(*run_.request().exported);
-        for (const Experiment& sweep : plan_.experiments) add_experiment(sweep);
-        for (const FrozenMoment& moment : plan_.moments) add_moment(moment);
-        if (run_.request().exported) {
-            for (const ContactMoment& moment : contact_moments(run_.quick())) {
+        const auto& exported = run_.request().exported;
+        run_.write("about.json", about_json());
+        if (exported) make_folder(*exported);
+        for (const Experiment& sweep : experiments_of(run_.request())) add_experiment(sweep);
+        for (const FrozenMoment& moment : moments_of(run_.request())) add_moment(moment);
+        if (exported) {
+            for (const ContactMoment& moment : contact_moments(run_.quick()))
                 export_problem(freeze(moment.name, moment.choices, run_.check()), moment.name);
-            }
         }
-        if (!plan_.consistency.cases.empty()) add_consistency();
+        if (run_.request().wants(consistency_part)) add_consistency(run_);
         put_answer_first();
-        write_page();
+        run_.write_page(
+            fmt::format("True errors (against closed forms, exact motion, converged forces) against the work of a "
+                        "method; lower left is better. Work is counted in multiply-adds of the solver and is the "
+                        "same on every machine; CPU times were measured on this one: {}. The numbers are in "
+                        "error.csv, frozen.csv and consistency.csv, the machine in about.json.{}",
+                        run_.machine(), run_.quick() ? " This is the quick report: few values, short runs." : ""));
     }
 
   private:
     void add_experiment(const Experiment& sweep) {
         const std::size_t first = points_.size();
         for (const Method& method : sweep.methods) {
-            for (const std::string& value : method.values) {
-                points_.push_back(point_in(run_.result(key_of(sweep, method, value))));
-            }
+            for (const std::string& value : method.values)
+                points_.push_back(point_in(run_.result(key_of(sweep, method, value)), method));
         }
         run_.write("error.csv", table_of(points_));
         const auto points = std::span<const ErrorPoint>(points_).subspan(first);
-        SectionContent plate;
-        plate.caption = sweep.caption + numbers_of(points);
-        WorkPlot plot;
-        for (const bool seconds : {false, true}) {
-            plot = {.name = plain_name((seconds ? "error_cpu_" : "error_") + sweep.name, '_'),
-                    .error_axis = sweep.error_axis,
-                    .work_axis = seconds        ? "CPU time [s] a simulated second"
-                                 : sweep.solves ? "work of the solver [multiply-adds] a simulated second"
+        SectionContent plate{.caption = sweep.caption + numbers_of(points)};
+        WorkPlot plot{.name = plain_name("error_" + sweep.name, '_'),
+                      .error_axis = sweep.error_axis,
+                      .work_axis = sweep.solves ? "work of the solver [multiply-adds] a simulated second"
                                                 : "moves of the bodies a simulated second",
-                    .machine = run_.machine(),
-                    .lines = lines_of(sweep, points,
-                                      [&](const ErrorPoint& point) {
-                                          if (seconds) return point.cpu.median;
-                                          return sweep.solves ? point.multiply_adds : point.moves;
-                                      }),
-                    .theory = {}};
-            // Part of the CPU time does not depend on the knob, so theory does not apply to it.
-            if (!seconds) plot.theory = theory_of(sweep, plot.lines);
-            draw_work_plot(plot, run_.folder(), plate);
-        }
+                      .machine = run_.machine()};
+        plot.lines = lines_of(sweep, points, [&](const Method& method, const ErrorPoint& point) {
+            return sweep.solves ? point.multiply_adds : moves_at(sweep, method, point.value);
+        });
+        plot.theory = theory_of(sweep, plot.lines);
+        draw_work_plot(plot, run_.folder(), plate);
+        plot.name = plain_name("error_cpu_" + sweep.name, '_');
+        plot.work_axis = "CPU time [s] a simulated second";
+        plot.lines =
+            lines_of(sweep, points, [](const Method&, const ErrorPoint& point) { return point.cpu.median; });
+        plot.theory.clear();  // part of the CPU time does not depend on the knob
+        draw_work_plot(plot, run_.folder(), plate);
         add_answer(sweep, plot.lines, plate);
         run_.sections.push_back({plain_name("error_" + sweep.name, '_'), sweep.title, std::move(plate)});
         add_others(sweep, plot);
@@ -182,9 +214,7 @@ class ErrorReport {
         std::ranges::stable_sort(wins, [](const auto& a, const auto& b) { return a.second > b.second; });
         std::vector<std::string> counts;
         for (const auto& [name, count] : wins) counts.push_back(fmt::format("{} {}", name, count));
-        SectionContent plate;
-        plate.pictures = answer_pictures_;
-        plate.table = answers_;
+        SectionContent plate{.pictures = answer_pictures_, .table = answers_};
         plate.caption = fmt::format(
             "For each scene the method that reaches an error in the least CPU time of the steps per simulated "
             "second, and in brackets its iterations, tolerance or step. How often each is the fastest: {}. The "
@@ -196,98 +226,49 @@ class ErrorReport {
 
     // The same plot with other engines, if there are any.
     void add_others(const Experiment& sweep, WorkPlot plot) {
-        const std::vector<ErrorPoint> others = about(plan_.others, sweep.scene, points_.back().errors.front().name);
+        const std::vector<ErrorPoint> others = about(others_, sweep.scene, points_.back().errors.front().name);
         if (others.empty()) return;
-        SectionContent plate;
-        plate.table = who_is_faster(plot.lines, others);
+        const TextTable faster = who_is_faster(plot.lines, others);
         plot.name = plain_name("beside_" + sweep.name, '_');
         plot.lines = lines_beside(plot.lines, others);
-        add(plot, sweep.title + ", beside other engines",
+        run_.sections.push_back(work_section(
+            plot, sweep.title + ", beside other engines",
             "In colour our methods that no other of ours beats everywhere, in grey other engines (tests/compare "
             "error), on one machine in one run: CPU time of the steps, one thread. Where an engine has no bar, a "
             "link is a ball joint at the end of an arm that is fixed to the ball, and the exact motion is that of "
             "this.",
-            plate);
+            run_.folder(), {.table = faster}));
     }
 
     void add_moment(const FrozenMoment& moment) {
-        const auto [points, rows, columns] = frozen_in(run_.result(key_of(moment, run_.quick())));
-        frozen_.insert(frozen_.end(), points.begin(), points.end());
-        run_.write("frozen.csv", table_of(frozen_));
+        const Json result = run_.result(key_of(moment, run_.quick()));
+        const auto lines = result.at("lines").get<std::vector<std::vector<std::string>>>();
+        for (const auto& cells : lines) frozen_.rows.emplace_back(cells.begin(), cells.end());
+        run_.write("frozen.csv", frozen_);
         const WorkPlot plot{.name = plain_name("frozen_" + moment.name, '_'),
                             .error_axis = "residual [m/s]",
                             .work_axis = "work of the solve [multiply-adds]",
                             .machine = run_.machine(),
-                            .lines = error::lines_of(points),
-                            .theory = {}};
-        SectionContent plate;
-        plate.commands = {command_text("run", moment.scene, moment.options)};
+                            .lines = error::lines_of(lines)};
         if (run_.request().exported) export_problem(freeze(moment, run_.check()), plot.name);
-        add(plot, "Frozen: " + moment.name,
+        const int columns = result.at("columns");
+        run_.sections.push_back(work_section(
+            plot, "Frozen: " + moment.name,
             fmt::format("The system of one moment, {} rows and {} column{}, solved from zero (cold) and from the "
                         "forces of the step before (warm); points are labelled with their iterations. Residual: "
                         "the largest velocity that a row still gets wrong.",
-                        rows, columns, columns == 1 ? "" : "s"),
-            plate);
+                        result.at("rows").get<int>(), columns, columns == 1 ? "" : "s"),
+            run_.folder(), {.commands = {command_text("run", moment.scene, moment.options)}}));
     }
 
     void export_problem(const FrozenProblem& problem, const std::string& name) const {
         write_file(*run_.request().exported / (name + ".json"), problem.text());
     }
 
-    void add_consistency() {
-        const ConsistencyPlan& plan = plan_.consistency;
-        Table table{{"scene", "differs_from_preset", "dt_s", "window_s", "windows", "error_rms_m", "size_m",
-                     "observed_order"}};
-        WorkPlot plot{.name = "consistency",
-                      .error_axis = "difference of the centres after a window, RMS [m]",
-                      .work_axis = "steps per second",
-                      .machine = run_.machine(),
-                      .lines = {},
-                      .theory = {},
-                      .front = false};
-        std::vector<std::string> orders;
-        for (const ConsistencyCase& which : plan.cases) {
-            WorkLine line{.name = which.scene, .colour = which.colour, .points = {}};
-            std::vector<std::string> differences;
-            for (const auto& [name, value] : which.options) differences.push_back(name + "=" + value);
-            double last = std::numeric_limits<double>::quiet_NaN();
-            for (const auto& [dt, error, size, order] : consistency_in(run_.result(key_of(plan, which)))) {
-                table.rows.push_back({which.scene, fmt::format("{}", fmt::join(differences, " ")), dt,
-                                      plan.window.value(), plan.starts.size(), error, size, order});
-                line.points.push_back({error, 1.0 / dt, fmt::format("1/{:.0f} s", 1.0 / dt)});
-                last = order.value_or(last);
-            }
-            orders.push_back(fmt::format("{} {:.1f}", which.scene, last));
-            plot.lines.push_back(std::move(line));
-        }
-        run_.write("consistency.csv", table);
-        add(plot, "Consistency: each scene against itself at smaller steps",
-            fmt::format("{} windows of {} s, restarted from states of a run with {} s steps, with which they are "
-                        "compared. Order of the last halving: {}.",
-                        plan.starts.size(), to_text(plan.window), to_text(plan.smallest), fmt::join(orders, ", ")));
-    }
-
-    void add(const WorkPlot& plot, const std::string& heading, const std::string& caption,
-             SectionContent plate = {}) {
-        plate.caption = caption;
-        draw_work_plot(plot, run_.folder(), plate);
-        run_.sections.push_back({plot.name, heading, std::move(plate)});
-    }
-
-    void write_page() const {
-        run_.write_page(
-            fmt::format("True errors (against closed forms, exact motion, converged forces) against the work of a "
-                        "method; lower left is better. Work is counted in multiply-adds of the solver and is the "
-                        "same on every machine; CPU times were measured on this one: {}. The numbers are in "
-                        "error.csv, frozen.csv and consistency.csv, the machine in about.json.{}",
-                        run_.machine(), run_.quick() ? " This is the quick report: few values, short runs." : ""));
-    }
-
     StudyRun& run_;
-    ErrorPlan plan_;
+    std::vector<ErrorPoint> others_;  // of other engines
     std::vector<ErrorPoint> points_;
-    std::vector<FrozenPoint> frozen_;
+    Table frozen_{frozen_columns};
     TextTable answers_{{"scene", "error", "1e-2", "1e-4", "1e-6", "1e-8"}};
     std::vector<std::string> answer_pictures_;
     std::map<std::string, int> wins_;  // by method

@@ -1,7 +1,6 @@
 // Measured motion beside computed motion, each number with the noise of its measurement: tosses of a cube, throws
 // of dice, packings, and motions that are known in closed form.
 #include "demos/reports/reality/sections.h"
-#include "demos/reports/study.h"
 
 #include <fmt/format.h>
 
@@ -19,7 +18,7 @@ constexpr std::array<Part, 4> parts{Part{"closed-forms", reality::add_closed_for
 
 void make_reality(StudyRun& run) {
     for (const auto& [name, add] : parts) {
-        if (run.wants(name)) add(run);
+        if (run.request().wants(name)) add(run);
     }
     run.write_page(fmt::format(
         "How far rigid bodies with Coulomb friction and one number for restitution go. What has a solution is "

@@ -1,32 +1,71 @@
 #include "demos/reports/study.h"
 
 #include "demos/pages/live_links.h"
-#include "demos/pages/verdict_files.h"
 #include "demos/platform/output_file.h"
 #include "demos/platform/processors.h"
-#include "demos/reports/about.h"
-#include "demos/reports/pieces/make_pieces.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <chrono>
 #include <ctime>
+#include <future>
 #include <mutex>
 #include <set>
 
 namespace pushfactor::demos::reports {
 
+namespace {
+
+// Ends a piece in progress.
+struct Dropped {};
+
+// Makes the pieces on `jobs` threads, in order, and calls `keep` for each in the thread that made it; `check` is
+// called often. An exception of theirs or of a piece ends all: pieces in progress are dropped, and the exception is
+// thrown.
+void make_pieces(const std::vector<const Piece*>& pieces, std::size_t jobs,
+                 const std::function<void(const Piece&, const Json& result)>& keep,
+                 const std::function<void()>& check) {
+    std::atomic<std::size_t> next = 0;
+    std::atomic<bool> ended = false;
+    const auto work = [&] {
+        const auto goes_on = [&ended] {
+            if (ended) throw Dropped();
+        };
+        try {
+            for (std::size_t i = next++; i < pieces.size(); i = next++) {
+                goes_on();
+                keep(*pieces[i], pieces[i]->make(goes_on));
+            }
+        } catch (const Dropped&) {
+        } catch (...) {
+            ended = true;
+            throw;
+        }
+    };
+    std::vector<std::future<void>> workers;  // whose destructors wait for them
+    try {
+        for (std::size_t i = 0; i < std::min(jobs, pieces.size()); ++i)
+            workers.push_back(std::async(std::launch::async, work));
+        for (std::future<void>& worker : workers) {
+            while (worker.wait_for(std::chrono::milliseconds(100)) != std::future_status::ready) check();
+            worker.get();
+        }
+    } catch (...) {
+        ended = true;
+        throw;
+    }
+}
+
+}  // namespace
+
 StudyRun::StudyRun(const Study& study, StudyRequest request)
     : study_(study),
       request_(std::move(request)),
-      machine_(line_of(about_this())),
+      machine_(about_line()),
       store_(request_.merged.empty() ? std::vector{request_.folder} : request_.merged, machine_) {
     make_folder(request_.folder);
-}
-
-bool StudyRequest::wants(const std::string& part) const {
-    return parts.empty() || std::find(parts.begin(), parts.end(), part) != parts.end();
 }
 
 void StudyRun::begin(std::size_t runs, std::size_t done, std::string hint) {
@@ -41,11 +80,8 @@ void StudyRun::count_run() {
 }
 
 void StudyRun::stop_if_interrupted() const {
-    demos::stop_if_interrupted(fmt::format("{} of {} runs are in {}{}", done_, runs_, folder().string(), hint_));
-}
-
-std::function<void()> StudyRun::check() const {
-    return [this] { stop_if_interrupted(); };
+    demos::stop_if_interrupted(
+        fmt::format("{} of {} runs are in {}{}", done_.load(), runs_, folder().string(), hint_));
 }
 
 void StudyRun::gather(const Pieces& pieces) {
@@ -69,19 +105,17 @@ void StudyRun::gather(const Pieces& pieces) {
     }
     if (!merges) {
         store_.put_note(request_.note);
-        const int at_once = study_.at_once > 0 ? study_.at_once : usable_cores();
         begin(count_.all, count_.there, "; the same command resumes from there");
         std::mutex mutex;
         const auto keep = [&](const Piece& piece, const Json& result) {
-            if (!has_failed(result)) {
-                store_.put(piece.key, result);
-                return;
-            }
+            const bool failed = result.is_object() && result.contains("failed");
+            if (!failed) store_.put(piece.key, result);
             const std::lock_guard lock(mutex);
-            failures_[piece.key] = result;
+            if (failed) failures_[piece.key] = result;
+            count_run();
         };
-        make_pieces(
-            missing, request_.jobs.value_or(at_once), keep, [this] { count_run(); }, check());
+        const int at_once = study_.at_once > 0 ? study_.at_once : usable_cores();
+        make_pieces(missing, static_cast<std::size_t>(request_.jobs.value_or(at_once)), keep, check());
         count_.failed = failures_.size();
     }
     if (!missing.empty()) machines.insert(machine_);
@@ -107,6 +141,11 @@ void StudyRun::write(const std::string& name, const std::string& text) const {
 
 void StudyRun::write(const std::string& name, const Table& table) const {
     write(name, fmt::format("# {}\n{}", machine_, csv_text(table)));
+}
+
+SectionContent StudyRun::tabulated(const std::string& name, const Table& table, const std::string& caption) const {
+    write(name, table);
+    return {.files = {name}, .caption = caption, .table = page_lines(table)};
 }
 
 void StudyRun::write(const std::string& headline, std::span<const SuiteVerdict> verdicts) const {

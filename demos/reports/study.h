@@ -5,12 +5,11 @@
 #include "demos/pages/table.h"
 #include "demos/pages/verdict_files.h"
 #include "demos/platform/progress.h"
-#include "demos/reports/pieces/piece.h"
 #include "demos/reports/pieces/store.h"
 #include "demos/runs/session.h"
-#include "demos/text/errors.h"
 #include "demos/text/shard.h"
 
+#include <atomic>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -59,7 +58,16 @@ struct StudyRequest {
     std::vector<std::filesystem::path> merged{};  // if not empty: make no piece, find all in these folders
     std::string note{};                           // stored with the pieces: what request they are for
 
-    bool wants(const std::string& part) const;
+    bool wants(const std::string& part) const {
+        return parts.empty() || std::ranges::find(parts, part) != parts.end();
+    }
+
+    // The things whose part was requested; `part_of` gives the part's name.
+    template <typename Things, typename PartOf>
+    Things wanted(Things things, const PartOf& part_of) const {
+        std::erase_if(things, [&](const auto& thing) { return !wants(std::invoke(part_of, thing)); });
+        return things;
+    }
 };
 
 // Pieces of a merged report that are in none of its folders.
@@ -81,20 +89,14 @@ class StudyRun {
     const std::filesystem::path& folder() const { return request_.folder; }
     // Program, compiler and processor: this one, or those that made the pieces.
     const std::string& machine() const { return machine_; }
-    bool wants(const std::string& part) const { return request_.wants(part); }
-
-    // The things whose part was requested; `part_of` gives the part's name.
-    template <typename Things, typename PartOf>
-    Things wanted(Things things, const PartOf& part_of) const {
-        std::erase_if(things, [&](const auto& thing) { return !wants(std::invoke(part_of, thing)); });
-        return things;
-    }
 
     // Sets the number of runs and of those already done; `hint` ends the message of an interruption.
     void begin(std::size_t runs, std::size_t done = 0, std::string hint = "");
     void count_run();
     void stop_if_interrupted() const;
-    std::function<void()> check() const;  // stop_if_interrupted() as a function
+    std::function<void()> check() const {
+        return [this] { stop_if_interrupted(); };
+    }
 
     // Makes the pieces that are missing, or those of the share; throws MissingPieces where none may be made.
     void gather(const Pieces& pieces);
@@ -112,6 +114,8 @@ class StudyRun {
     // Writes a file, whole or not at all.
     void write(const std::string& name, const std::string& text) const;
     void write(const std::string& name, const Table& table) const;  // below a line with the machine
+    // The same, and content with the table, its file and a caption.
+    SectionContent tabulated(const std::string& name, const Table& table, const std::string& caption) const;
 
     // Writes the files for CI servers that were asked for.
     void write(const std::string& headline, std::span<const SuiteVerdict> verdicts) const;
@@ -127,7 +131,8 @@ class StudyRun {
     std::map<std::string, Json> failures_;  // of this process, by key
     Count count_;
     std::optional<ProgressBar> bar_;
-    std::size_t runs_ = 0, done_ = 0;
+    std::size_t runs_ = 0;
+    std::atomic<std::size_t> done_ = 0;
     std::string hint_;
 };
 
@@ -135,6 +140,10 @@ class StudyRun {
 // the exceptions of errors.h; CheckError if everything was written but a result is not as expected, or if pieces of
 // a share failed.
 StudyRun::Count make_study(const Study& study, const StudyRequest& request);
+
+// Program, compiler and machine, without which times mean nothing: about.json, and a line for captions.
+std::string about_json();
+std::string about_line();
 
 Study error_study();      // errors of methods against their work
 Study stability_study();  // judged extreme cases

@@ -1,11 +1,10 @@
-#include "demos/reports/atlas/cells.h"
-
-#include "demos/reports/atlas/outcomes.h"
-#include "demos/reports/pieces/replay_run.h"
-#include "demos/reports/study.h"
+// The cells of an atlas: one run each, with the outcome of its summary.
+#include "demos/reports/atlas/atlas.h"
 #include "demos/runs/summary.h"
-#include "demos/text/errors.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <limits>
 
 namespace pushfactor::demos::reports::atlas {
@@ -19,11 +18,8 @@ OptionTexts options_of(const AtlasCell& cell) {
     return options;
 }
 
-// NaN if the summary has no such number, as a drift after 10 s in a shorter run.
-double number_of_summary(const std::string& summary, const std::string& name) {
-    const Json json = Json::parse(summary);
-    if (!json.contains(name) || !json[name].is_number()) return std::numeric_limits<double>::quiet_NaN();
-    return json[name].get<double>();
+std::string key_of(const std::string& what, const AtlasCell& cell) {
+    return fmt::format("atlas: {} of {}", what, run_key(cell.map->scene, options_of(cell)));
 }
 
 }  // namespace
@@ -45,35 +41,40 @@ CellResult run_cell(const AtlasCell& cell, const std::function<void()>& check) {
     Simulation run(choices);
     Measurements measurements(run);
     const bool finite = play_to_end(run, check, measurements);
-    const AtlasMeasure& measure = cell.map->measure;
-    const double value = measure.value ? (measurements.*measure.value)()
-                                       : number_of_summary(summary_text(choices, run, measurements), measure.key);
-    return {std::string(finite ? name_of(measurements.outcome()) : non_finite), value};
-}
-
-std::string key_of(const AtlasCell& cell) {
-    return "atlas: " + cell.map->measure.key + " of " + run_key(cell.map->scene, options_of(cell));
+    CellResult result{std::string(finite ? name_of(measurements.outcome()) : non_finite)};
+    if (const auto value = cell.map->measure.value) {
+        result.value = (measurements.*value)();
+    } else {
+        // The summary may have no such number, as a drift after 10 s in a shorter run.
+        const Json json = Json::parse(summary_text(choices, run, measurements));
+        const auto number = json.find(cell.map->measure.key);
+        const bool has_number = number != json.end() && number->is_number();
+        result.value = has_number ? number->get<double>() : std::numeric_limits<double>::quiet_NaN();
+    }
+    return result;
 }
 
 Piece piece_of(const AtlasCell& cell) {
-    return {key_of(cell), [cell](const std::function<void()>& check) {
-                const CellResult result = run_cell(cell, check);
-                return Json{{"outcome", result.outcome}, {"value", json_number(result.value)}};
+    return {key_of(cell.map->measure.key, cell), [cell](const std::function<void()>& check) {
+                const auto [outcome, value] = run_cell(cell, check);
+                return Json{{"outcome", outcome}, {"value", json_number(value)}};
             }};
 }
 
 CellResult result_in(const Json& json) {
-    return {json.at("outcome").get<std::string>(), number_in(json.at("value"))};
-}
-
-std::string replay_key_of(const AtlasCell& cell) {
-    return "atlas: replay of " + run_key(cell.map->scene, options_of(cell));
+    return {json.at("outcome"), number_in(json.at("value"))};
 }
 
 Piece replay_piece_of(const AtlasCell& cell) {
-    return {replay_key_of(cell), [cell](const std::function<void()>& check) {
+    return {key_of("replay", cell), [cell](const std::function<void()>& check) {
                 return Json(replay_of(cell.map->scene, options_of(cell), check));
             }};
+}
+
+std::string replay_file(const AtlasCell& cell) {
+    std::string name = fmt::format("{}_{}_{}_{}", cell.map->x.option, cell.x, cell.map->y.option, cell.y);
+    std::ranges::replace(name, '/', '-');
+    return "cells/" + name + ".html";
 }
 
 }  // namespace pushfactor::demos::reports::atlas

@@ -1,6 +1,6 @@
-#include "demos/reports/atlas/grid.h"
-
+// Maps that people ask for.
 #include "demos/options/simulation_options.h"
+#include "demos/reports/atlas/atlas.h"
 #include "demos/runs/summary.h"
 #include "demos/text/comma_list.h"
 #include "demos/text/errors.h"
@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <stdexcept>
 #include <utility>
 
@@ -27,13 +28,10 @@ constexpr const char* forms = "must be OPTION=FROM:TO:STEP, OPTION=log:FROM:TO:C
 }
 
 std::vector<std::string> split(const std::string& text, char at) {
-    std::vector<std::string> parts(1);
-    for (const char c : text) {
-        if (c == at)
-            parts.emplace_back();
-        else
-            parts.back() += c;
-    }
+    std::vector<std::string> parts;
+    std::istringstream stream(text);
+    for (std::string part; std::getline(stream, part, at);) parts.push_back(part);
+    if (text.empty() || text.back() == at) parts.emplace_back();
     return parts;
 }
 
@@ -98,12 +96,17 @@ void require_unset(const OptionTexts& set, const std::string& field, const std::
     if (found != set.end()) refuse(field, text, fmt::format("must be without --set {}={}", name, found->second));
 }
 
+// Throws UsageError for a value that no run accepts.
+void require_accepted(const GridRequest& request, OptionTexts options, const std::string& name,
+                      const std::string& value) {
+    options.emplace_back(name, value);
+    run_of(request.scene, options);
+}
+
 bool accepts(const GridRequest& request, const OptionTexts& set, const std::string& name,
              const std::string& value) {
-    OptionTexts options = set;
-    options.emplace_back(name, value);
     try {
-        run_of(request.scene, options);
+        require_accepted(request, set, name, value);
         return true;
     } catch (const UsageError&) {
         return false;
@@ -139,12 +142,8 @@ AtlasAxis axis_of(const GridRequest& request, const OptionTexts& set, const std:
     if (axis.values.size() < 2 || std::ranges::adjacent_find(axis.values, same) != axis.values.end()) {
         refuse(field, text, "must have at least two values, and none twice");
     }
-    if (words.size() == 1) axis.names = true;     // a list has equal cells, whatever its numbers are
-    for (const std::string& one : axis.values) {  // the message of a value that no run accepts
-        OptionTexts options = set;
-        options.emplace_back(name, one);
-        run_of(request.scene, options);
-    }
+    if (words.size() == 1) axis.names = true;  // a list has equal cells, whatever its numbers are
+    for (const std::string& one : axis.values) require_accepted(request, set, name, one);
     return axis;
 }
 
@@ -199,7 +198,7 @@ std::vector<AtlasCell> cells_with_replay(const AtlasMap& map, const GridRequest&
         if (text == "all") return cells_of(map);
         const auto parts = split(text, ':');
         const auto has = [](const AtlasAxis& axis, const std::string& value) {
-            return std::find(axis.values.begin(), axis.values.end(), value) != axis.values.end();
+            return std::ranges::find(axis.values, value) != axis.values.end();
         };
         if (parts.size() != 2 || !has(map.x, parts[0]) || !has(map.y, parts[1])) {
             refuse("--replays", text, "must be all, or X:Y with a value of each axis as its table has it");
@@ -207,14 +206,6 @@ std::vector<AtlasCell> cells_with_replay(const AtlasMap& map, const GridRequest&
         chosen.push_back({&map, parts[0], parts[1]});
     }
     return chosen;
-}
-
-std::string replay_file(const AtlasCell& cell) {
-    std::string name = fmt::format("{}_{}_{}_{}", cell.map->x.option, cell.x, cell.map->y.option, cell.y);
-    for (char& c : name) {
-        if (c == '/') c = '-';
-    }
-    return "cells/" + name + ".html";
 }
 
 }  // namespace pushfactor::demos::reports::atlas

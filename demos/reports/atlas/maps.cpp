@@ -1,5 +1,5 @@
-#include "demos/reports/atlas/maps.h"
-
+// The list of maps and their axes.
+#include "demos/reports/atlas/atlas.h"
 #include "demos/text/rational.h"
 
 #include <fmt/format.h>
@@ -43,8 +43,11 @@ AtlasAxis iterations(const Values& values) {
     return {"iterations", "iterations per step", values};
 }
 
-AtlasAxis time_step(const Values& values) {
-    return {"dt", "time step [s]", values};
+// Of the first steps of this list.
+AtlasAxis time_step(std::size_t count) {
+    Values steps{"1/960", "1/480", "1/240", "1/120", "1/60", "1/30", "1/15", "1/8", "1/4", "1/2"};
+    steps.resize(count);
+    return {"dt", "time step [s]", steps};
 }
 
 // Sweeps in which an error falls to 1/e: for a heavy cube on a light one a sweep leaves R / (R + 1) of it.
@@ -97,7 +100,7 @@ AtlasMap step_map(const std::string& preset, const std::string& title, const std
             "The stack of section 10.1, dropped from its gaps, 10 s, preset " + preset + ". " + caption,
             "stack",
             {{"preset", preset}, {"seconds", "10"}},
-            time_step({"1/960", "1/480", "1/240", "1/120", "1/60", "1/30", "1/15", "1/8", "1/4", "1/2"}),
+            time_step(10),
             betas,
             off_axis};
 }
@@ -112,7 +115,7 @@ AtlasMap chain_map(const std::string& name, const std::string& substeps, const s
             "chain",
             {{"seconds", "10"}, {"angle", "45"}, {"substeps", substeps}},
             end_masses,
-            time_step({"1/960", "1/480", "1/240", "1/120", "1/60", "1/30", "1/15"}),
+            time_step(7),
             length_error,
             AtlasTheory{"ω dt = 2", step_that_tension_allows},
             "moving: swings on"};
@@ -129,11 +132,11 @@ std::string AtlasAxis::tick(const std::string& value) const {
     return scale == 1.0 ? value : fmt::format("{:.3g}", shown(value));
 }
 
-std::vector<AtlasMap> atlas_maps() {
+std::vector<AtlasMap> atlas_maps(bool quick) {
     const OptionTexts sweeps{{"seconds", "10"}, {"solver", "pgs"}, {"tolerance", "0"}};
     OptionTexts touching = sweeps;
     touching.emplace_back("gap", "0");
-    return {
+    std::vector<AtlasMap> maps{
         {"mass_ratio_iterations", "Heavy on light: how many iterations a mass ratio takes",
          "A cube of R kg on one of 1 kg, 10 s, projected Gauss-Seidel with warm start. Theory: the sweeps in which "
          "an error falls to 1/e, about R; with warm start the steps share them.",
@@ -163,15 +166,13 @@ std::vector<AtlasMap> atlas_maps() {
         chain_map("substeps", "auto", "Bars under tension with automatic substeps: the step no longer matters",
                   "Theory: the longest step without substeps."),
     };
-}
-
-AtlasMap quick(const AtlasMap& map) {
-    AtlasMap few = map;
-    for (AtlasAxis* axis : {&few.x, &few.y}) {
-        const Values& all = axis->values;
-        axis->values = Values{all.front(), all[all.size() / 2], all.back()};
+    for (AtlasMap& map : maps) {
+        for (AtlasAxis* axis : {&map.x, &map.y}) {
+            Values& all = axis->values;
+            if (quick) all = {all.front(), all[all.size() / 2], all.back()};
+        }
     }
-    return few;
+    return maps;
 }
 
 }  // namespace pushfactor::demos::reports::atlas

@@ -1,8 +1,6 @@
-#include "demos/reports/atlas/plot.h"
-
 #include "demos/figures/plot.h"
-#include "demos/reports/atlas/outcomes.h"
-#include "demos/text/numbers.h"
+
+#include "demos/reports/atlas/atlas.h"
 #include "demos/text/palette.h"
 
 #include <fmt/format.h>
@@ -17,14 +15,15 @@ namespace {
 
 // Edges of the cells of an axis, halfway between their numbers: one more than there are cells.
 std::vector<double> edges_of(const AtlasAxis& axis) {
-    const auto placed = [&axis](double number) { return axis.logarithmic ? std::log(number) : number; };
-    const auto number = [&axis](double place) { return axis.logarithmic ? std::exp(place) : place; };
-    std::vector<double> places, edges;
-    for (const std::string& value : axis.values) places.push_back(placed(axis.shown(value)));
+    std::vector<double> places;
+    for (const std::string& value : axis.values)
+        places.push_back(axis.logarithmic ? std::log(axis.shown(value)) : axis.shown(value));
+    std::vector<double> edges{places[0] - 0.5 * (places[1] - places[0])};
+    for (std::size_t i = 1; i < places.size(); ++i) edges.push_back(0.5 * (places[i - 1] + places[i]));
     const std::size_t last = places.size() - 1;
-    edges.push_back(number(places[0] - 0.5 * (places[1] - places[0])));
-    for (std::size_t i = 0; i < last; ++i) edges.push_back(number(0.5 * (places[i] + places[i + 1])));
-    edges.push_back(number(places[last] + 0.5 * (places[last] - places[last - 1])));
+    edges.push_back(places[last] + 0.5 * (places[last] - places[last - 1]));
+    if (axis.logarithmic)
+        std::ranges::transform(edges, edges.begin(), [](double place) { return std::exp(place); });
     return edges;
 }
 
@@ -62,7 +61,7 @@ std::string data_of(const AtlasMap& map, const std::vector<CellResult>& results,
     const std::size_t width = map.x.values.size();
     for (std::size_t i = 0; i < results.size(); ++i) {
         const std::size_t column = i % width, row = i / width;
-        const OutcomeLook& look = *find_look(results[i].outcome);
+        const OutcomeLook& look = *std::ranges::find(outcome_looks, results[i].outcome, &OutcomeLook::outcome);
         text += fmt::format("{},{},{},{},{},{},{},{},{}\n", map.x.shown(map.x.values[column]),
                             map.y.shown(map.y.values[row]), xs[column], xs[column + 1], ys[row], ys[row + 1],
                             number_of(look.colour), text_in_cell(map, results[i].value), number_of(look.ink));
@@ -83,42 +82,11 @@ std::string data_of(const AtlasMap& map, const std::vector<CellResult>& results,
 std::pair<std::string, std::string> legend_of(const AtlasMap& map, const std::vector<CellResult>& results) {
     std::string words, colours;
     for (const OutcomeLook& look : outcome_looks) {
-        const auto is_this = [&look](const CellResult& result) { return result.outcome == look.outcome; };
-        if (std::none_of(results.begin(), results.end(), is_this)) continue;
+        if (std::ranges::find(results, look.outcome, &CellResult::outcome) == results.end()) continue;
         words += fmt::format("\"{}\" ", look.outcome == name_of(Outcome::moving) ? map.moving : look.words);
         colours += fmt::format("#{:06x} ", number_of(look.colour));
     }
     return {words, colours};
-}
-
-// The command of all cells, with X and Y for the values of the axes.
-std::string pattern_of(const AtlasMap& map) {
-    return command_of({&map, "X", "Y"});
-}
-
-Plot plot_of(const AtlasMap& map, const std::vector<CellResult>& results, const std::vector<double>& xs,
-             const std::vector<double>& ys) {
-    const auto [words, colours] = legend_of(map, results);
-    return {.script = "atlas",
-            .data = map.name + ".dat",
-            .name = map.name,
-            .aspect = 1.5,
-            .variables = {{"heading", map.title},
-                          {"x_axis", map.x.label},
-                          {"y_axis", map.y.label},
-                          {"x_ticks", ticks_of(map.x)},
-                          {"y_ticks", ticks_of(map.y)},
-                          {"x_low", xs.front()},
-                          {"x_high", xs.back()},
-                          {"y_low", ys.front()},
-                          {"y_high", ys.back()},
-                          {"x_logarithmic", map.x.logarithmic ? 1.0 : 0.0},
-                          {"y_logarithmic", map.y.logarithmic ? 1.0 : 0.0},
-                          {"outcomes", words},
-                          {"colours", colours},
-                          {"number_words", map.measure.words},
-                          {"theory", map.theory ? map.theory->label : ""},
-                          {"command", pattern_of(map)}}};
 }
 
 }  // namespace
@@ -137,11 +105,33 @@ std::string short_number(double value) {
 
 Section atlas_section(const AtlasMap& map, const std::vector<CellResult>& results,
                       const std::filesystem::path& folder) {
-    Section section{map.name, map.title, {}};
+    const std::string command = command_of({&map, "X", "Y"});  // of all cells, with X and Y for the values
+    Section section{map.name, map.title};
     section.content.caption = fmt::format("{} The numbers: {} of the summary.", map.caption, map.measure.key);
-    section.content.commands = {pattern_of(map)};
+    section.content.commands = {command};
     const std::vector<double> xs = edges_of(map.x), ys = edges_of(map.y);
-    add_plot(plot_of(map, results, xs, ys), data_of(map, results, xs, ys), folder, section.content);
+    const auto [words, colours] = legend_of(map, results);
+    const Plot plot{.script = "atlas",
+                    .data = map.name + ".dat",
+                    .name = map.name,
+                    .aspect = 1.5,
+                    .variables = {{"heading", map.title},
+                                  {"x_axis", map.x.label},
+                                  {"y_axis", map.y.label},
+                                  {"x_ticks", ticks_of(map.x)},
+                                  {"y_ticks", ticks_of(map.y)},
+                                  {"x_low", xs.front()},
+                                  {"x_high", xs.back()},
+                                  {"y_low", ys.front()},
+                                  {"y_high", ys.back()},
+                                  {"x_logarithmic", map.x.logarithmic ? 1.0 : 0.0},
+                                  {"y_logarithmic", map.y.logarithmic ? 1.0 : 0.0},
+                                  {"outcomes", words},
+                                  {"colours", colours},
+                                  {"number_words", map.measure.words},
+                                  {"theory", map.theory ? map.theory->label : ""},
+                                  {"command", command}}};
+    add_plot(plot, data_of(map, results, xs, ys), folder, section.content);
     return section;
 }
 

@@ -1,9 +1,8 @@
-#include "demos/reports/cost/ledger.h"
-
 #include "demos/platform/cpu_clock.h"
 #include "demos/platform/heap_memory.h"
-#include "demos/reports/study.h"
+#include "demos/reports/cost/cost.h"
 #include "demos/runs/checkpoint.h"
+#include "demos/runs/session.h"
 #include "demos/text/median.h"
 #include "engine/collision/broad_phase.h"
 
@@ -85,16 +84,13 @@ void add_step(const engine::StepCount& step, Counts& sum) {
     sum.multiply_adds += step.multiply_adds;
 }
 
-// Counts of engine steps are divided by the engine steps, the rest by the steps of the run.
 Counts means_of(Counts sum) {
-    for (double* each :
-         {&sum.contact_rows, &sum.friction_rows, &sum.distance_rows, &sum.joint_rows, &sum.columns, &sum.at_rest}) {
-        *each /= sum.substeps;
-    }
-    for (double* each :
-         {&sum.substeps, &sum.pairs, &sum.touches, &sum.sweeps, &sum.row_updates, &sum.multiply_adds}) {
-        *each /= Walk::steps_counted;
-    }
+    const double engine_steps = sum.substeps;
+    const auto divide = [&](const CountColumn& column) {
+        sum.*column.value /= column.of_engine_steps ? engine_steps : Walk::steps_counted;
+    };
+    std::ranges::for_each(row_columns, divide);
+    std::ranges::for_each(work_columns, divide);
     for (auto& [kept, swept, exact, small_steps] : sum.islands) {
         for (double* each : {&kept, &swept, &exact, &small_steps}) *each /= Walk::steps_counted;
     }
@@ -121,10 +117,6 @@ double clock_cost() {
         before = now;
     }
     return median(costs);
-}
-
-void PhaseClock::begin() {
-    last_ = thread_cpu_us();
 }
 
 void PhaseClock::end(std::size_t stage) {

@@ -1,7 +1,4 @@
-#include "demos/reports/cost/neighbours.h"
-
-#include "demos/reports/cost/ledger.h"
-#include "demos/reports/study.h"
+#include "demos/reports/cost/cost.h"
 #include "demos/scenes/named/side_by_side.h"
 #include "demos/scenes/random.h"
 #include "demos/text/median.h"

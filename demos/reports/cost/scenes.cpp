@@ -1,5 +1,4 @@
-#include "demos/reports/cost/scenes.h"
-
+#include "demos/reports/cost/cost.h"
 #include "demos/runs/step_division.h"
 #include "demos/scenes/catalogue.h"
 #include "engine/forces/poke.h"

@@ -1,14 +1,62 @@
 #include "demos/reports/error/consistency.h"
 
-#include "demos/reports/study.h"
+#include "demos/reports/error/work_plot.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
+#include <limits>
 
 namespace pushfactor::demos::reports::error {
 
 namespace {
 
 using Bodies = std::vector<engine::Body>;
+using Check = std::function<void()>;
+
+struct Compared {
+    std::string scene;
+    OptionTexts options;
+    std::string colour;  // in the plot
+};
+
+// Without contacts the start kick is right from any state and gives second order. A chain needs the iterations: the
+// sweeps' error in its forces does not shrink with the step. The heavy-on-light scene is left out: it begins at
+// rest, so there is no motion to compare.
+const std::vector<Compared> compared{{"stack", {}, "vermilion"},
+                                     {"intersecting-stack", {}, "orange"},
+                                     {"funnel", {}, "blue"},
+                                     {"pendulum-grid", {}, "green"},
+                                     {"pendulum-wave", {{"start-kick", "on"}}, "violet"},
+                                     {"chain", {{"start-kick", "on"}, {"iterations", "5000"}}, "grey"}};
+
+struct Plan {
+    explicit Plan(bool quick) {
+        if (!quick) return;
+        steps.resize(3);
+        smallest = {1, 960};
+        starts.resize(2);
+    }
+
+    std::vector<Rational> steps{{1, 60}, {1, 120}, {1, 240}, {1, 480}, {1, 960}};  // s, each half of the one before
+    Rational smallest{1, 7680};                                                    // s
+    // s, of the windows, whole numbers of the smallest step, and the length of each.
+    std::vector<Rational> starts{{1, 10}, {1, 2}, {1, 1}, {3, 2}, {2, 1}, {5, 2}, {3, 1}, {4, 1}};
+    Rational window{1, 5};
+};
+
+std::string joined(const std::vector<Rational>& values) {
+    std::vector<std::string> texts;
+    for (const Rational& value : values) texts.push_back(to_text(value));
+    return fmt::format("{}", fmt::join(texts, ","));
+}
+
+std::string key_of(const Plan& plan, const Compared& which) {
+    return fmt::format("error: consistency of {}; steps {}, against {}; windows of {} s from {}",
+                       run_key(which.scene, which.options), joined(plan.steps), to_text(plan.smallest),
+                       to_text(plan.window), joined(plan.starts));
+}
 
 double length_of(const SceneDescription& scene) {
     for (const BodyDescription& body : scene.bodies) {
@@ -23,7 +71,7 @@ double length_of(const SceneDescription& scene) {
     return 1.0;
 }
 
-Choices choices_at(const ConsistencyCase& which, const Rational& dt) {
+Choices choices_at(const Compared& which, const Rational& dt) {
     OptionTexts options{{"dt", to_text(dt)}};
     options.insert(options.end(), which.options.begin(), which.options.end());
     return run_of(which.scene, options);
@@ -42,7 +90,7 @@ SceneDescription restarted(SceneDescription scene, const Bodies& bodies) {
 }
 
 // Up to a time since the start [s].
-void run_until(Simulation& run, const Rational& time, const std::function<void()>& check) {
+void run_until(Simulation& run, const Rational& time, const Check& check) {
     const Rational steps = time / run.settings().dt;
     play(run, [&](const Simulation& now) {
         check();
@@ -50,8 +98,8 @@ void run_until(Simulation& run, const Rational& time, const std::function<void()
     });
 }
 
-Bodies after_window(const ConsistencyPlan& plan, const ConsistencyCase& which, const Bodies& start,
-                    const Rational& dt, const std::function<void()>& check) {
+Bodies after_window(const Plan& plan, const Compared& which, const Bodies& start, const Rational& dt,
+                    const Check& check) {
     Choices choices = choices_at(which, dt);
     choices.description = restarted(choices.description, start);
     Simulation run(choices);
@@ -59,34 +107,8 @@ Bodies after_window(const ConsistencyPlan& plan, const ConsistencyCase& which, c
     return run.scene().world.bodies;
 }
 
-}  // namespace
-
-ConsistencyPlan consistency_plan(bool quick) {
-    // Without contacts the start kick is right from any state and gives second order. A chain needs the iterations:
-    // the sweeps' error in its forces does not shrink with the step. The heavy-on-light scene is left out: it
-    // begins at rest, so there is no motion to compare.
-    ConsistencyPlan plan{
-        .cases = {{"stack", {}, "vermilion"},
-                  {"intersecting-stack", {}, "orange"},
-                  {"funnel", {}, "blue"},
-                  {"pendulum-grid", {}, "green"},
-                  {"pendulum-wave", {{"start-kick", "on"}}, "violet"},
-                  {"chain", {{"start-kick", "on"}, {"iterations", "5000"}}, "grey"}},
-        .steps = {{1, 60}, {1, 120}, {1, 240}, {1, 480}, {1, 960}},
-        .smallest = {1, 7680},
-        .starts = {{1, 10}, {1, 2}, {1, 1}, {3, 2}, {2, 1}, {5, 2}, {3, 1}, {4, 1}},
-        .window = {1, 5},
-    };
-    if (quick) {
-        plan.steps.resize(3);
-        plan.smallest = {1, 960};
-        plan.starts = {{1, 10}, {1, 2}};
-    }
-    return plan;
-}
-
-std::vector<ConsistencyPoint> check_consistency(const ConsistencyPlan& plan, const ConsistencyCase& which,
-                                                const std::function<void()>& check) {
+// Per step: its length [s], the error [m], the size of a movable body [m], and the order against twice the step.
+Table errors_of(const Plan& plan, const Compared& which, const Check& check) {
     Simulation fine(choices_at(which, plan.smallest));
     std::vector<Bodies> starts, ends;
     for (const Rational& start : plan.starts) {
@@ -94,7 +116,8 @@ std::vector<ConsistencyPoint> check_consistency(const ConsistencyPlan& plan, con
         starts.push_back(fine.scene().world.bodies);
         ends.push_back(after_window(plan, which, starts.back(), plan.smallest, check));
     }
-    std::vector<ConsistencyPoint> points;
+    Table table;
+    double last = 0.0;
     for (const Rational& dt : plan.steps) {
         double squares = 0.0, count = 0.0;
         for (std::size_t k = 0; k < starts.size(); ++k) {
@@ -105,13 +128,60 @@ std::vector<ConsistencyPoint> check_consistency(const ConsistencyPlan& plan, con
                 count += 1.0;
             }
         }
-        ConsistencyPoint point{.dt = dt.value(),
-                               .error = std::sqrt(squares / count),
-                               .size = length_of(choices_at(which, dt).description)};
-        if (!points.empty() && point.error > 0.0) point.order = std::log2(points.back().error / point.error);
-        points.push_back(point);
+        const double error = std::sqrt(squares / count);
+        const bool has_order = !table.rows.empty() && error > 0.0;
+        table.rows.push_back({dt.value(), error, length_of(choices_at(which, dt).description),
+                              has_order ? Cell(std::log2(last / error)) : Cell()});
+        last = error;
     }
-    return points;
+    return table;
+}
+
+}  // namespace
+
+Pieces consistency_pieces(bool quick) {
+    const Plan plan(quick);
+    Pieces pieces;
+    for (const Compared& which : compared) {
+        pieces.push_back({key_of(plan, which), [plan, &which](const Check& check) {
+                              return Json(exact_rows(errors_of(plan, which, check)));
+                          }});
+    }
+    return pieces;
+}
+
+void add_consistency(StudyRun& run) {
+    const Plan plan(run.quick());
+    Table table{
+        {"scene", "differs_from_preset", "dt_s", "window_s", "windows", "error_rms_m", "size_m", "observed_order"}};
+    WorkPlot plot{.name = "consistency",
+                  .error_axis = "difference of the centres after a window, RMS [m]",
+                  .work_axis = "steps per second",
+                  .machine = run.machine(),
+                  .front = false};
+    std::vector<std::string> orders;
+    for (const Compared& which : compared) {
+        WorkLine& line = plot.lines.emplace_back(WorkLine{.name = which.scene, .colour = which.colour});
+        std::vector<std::string> differences;
+        for (const auto& [name, value] : which.options) differences.push_back(name + "=" + value);
+        double last = std::numeric_limits<double>::quiet_NaN();
+        const Json result = run.result(key_of(plan, which));
+        for (const std::vector<std::string> cells : result) {
+            table.rows.push_back({which.scene, fmt::format("{}", fmt::join(differences, " ")), cells.at(0),
+                                  plan.window.value(), plan.starts.size(), cells.at(1), cells.at(2), cells.at(3)});
+            const double steps = 1.0 / std::stod(cells[0]);
+            line.points.push_back({std::stod(cells[1]), steps, fmt::format("1/{:.0f} s", steps)});
+            if (!cells[3].empty()) last = std::stod(cells[3]);
+        }
+        orders.push_back(fmt::format("{} {:.1f}", which.scene, last));
+    }
+    run.write("consistency.csv", table);
+    run.sections.push_back(work_section(
+        plot, "Consistency: each scene against itself at smaller steps",
+        fmt::format("{} windows of {} s, restarted from states of a run with {} s steps, with which they are "
+                    "compared. Order of the last halving: {}.",
+                    plan.starts.size(), to_text(plan.window), to_text(plan.smallest), fmt::join(orders, ", ")),
+        run.folder()));
 }
 
 }  // namespace pushfactor::demos::reports::error

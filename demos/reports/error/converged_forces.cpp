@@ -13,6 +13,7 @@ using engine::SystemEquation;
 using engine::Vector6;
 
 constexpr double unbounded = std::numeric_limits<double>::infinity();
+constexpr double converged_residual = 1e-10;  // m/s, natural map
 
 // x^T A x of one column.
 double energy(const SystemEquation& system, const Columns& x, Eigen::Index column) {
@@ -23,13 +24,6 @@ double energy(const SystemEquation& system, const Columns& x, Eigen::Index colum
         sum += forces[i].dot(accelerate(system.inverse_mass[i], forces[i]));
     }
     return sum;
-}
-
-std::unique_ptr<engine::solvers::Solver> solver_if_any(std::string_view name) {
-    for (const engine::solvers::SolverEntry& entry : engine::solvers::solver_table()) {
-        if (entry.name == name) return entry.make();
-    }
-    return nullptr;
 }
 
 // A, column by column.
@@ -106,7 +100,7 @@ void finish_free_rows(const SystemEquation& system, const engine::MatrixX& A, Co
         const engine::VectorX change = A_free.completeOrthogonalDecomposition().solve(error);
         if (move(system, free, change, 1.0, lambda, column) < 1.0) continue;
         const engine::VectorX unmet = error - A_free * change;
-        if (system.dt * unmet.cwiseAbs().maxCoeff() < 0.1 * ConvergedSolver::residual) return;
+        if (system.dt * unmet.cwiseAbs().maxCoeff() < 0.1 * converged_residual) return;
         if (move(system, free, unmet, unbounded, lambda, column) == unbounded) return;
     }
 }
@@ -124,29 +118,25 @@ std::optional<double> force_error(const SystemEquation& system, const Columns& l
     return worst;
 }
 
-ConvergedSolver::ConvergedSolver()
-    : direct_(solver_if_any("direct")), experiments_(engine::solvers::make_solver("pgs")) {}
-
-std::optional<Columns> ConvergedSolver::solve(const SystemEquation& system, const Columns& guess) {
-    // Without tolerances: a guess that was kept would be its own reference and have no error.
-    const auto attempt = [&](engine::solvers::Solver& solver, int iterations, Columns& lambda) {
-        solver.solve(system, {.iterations = iterations, .tolerance_high = 0.0, .tolerance_low = 0.0}, lambda);
-        return lambda.allFinite() && natural_residual(system, lambda) <= residual;
-    };
+std::optional<Columns> converged_forces(const SystemEquation& system, const Columns& guess) {
     Columns answer = guess;
-    if (direct_ && attempt(*direct_, 100, answer)) return answer;
+    // Without tolerances: a guess that was kept would be its own reference and have no error.
+    const auto converges = [&](const char* solver, int iterations) {
+        engine::solvers::make_solver(solver)->solve(system, {.iterations = iterations}, answer);
+        return answer.allFinite() && natural_residual(system, answer) <= converged_residual;
+    };
+    if (converges("direct", 100)) return answer;
 
     // Sweeps find the active set long before they converge on the remaining linear system: some modes, such as bars
     // that hold each other through contacts, need more than a hundred thousand sweeps.
     answer = guess;
-    if (attempt(*experiments_, 500, answer)) return answer;
+    if (converges("pgs", 500)) return answer;
     const engine::MatrixX A = dense_matrix(system);
     for (int round = 0; round < 40; ++round) {
         for (Eigen::Index column = 0; column < answer.cols(); ++column) {
             finish_free_rows(system, A, answer, column);
         }
-        if (natural_residual(system, answer) <= residual) return answer;
-        if (attempt(*experiments_, 25, answer)) return answer;
+        if (natural_residual(system, answer) <= converged_residual || converges("pgs", 25)) return answer;
     }
     return std::nullopt;
 }

@@ -18,18 +18,7 @@ namespace pushfactor::demos::reports::error {
 std::optional<double> force_error(const engine::SystemEquation& system, const engine::Columns& lambda,
                                   const engine::Columns& converged);
 
-class ConvergedSolver {
-  public:
-    static constexpr double residual = 1e-10;  // m/s, natural map: bound of convergence
-
-    ConvergedSolver();
-
-    // The converged forces, starting from `guess`. None if no solver converges.
-    std::optional<engine::Columns> solve(const engine::SystemEquation& system, const engine::Columns& guess);
-
-  private:
-    std::unique_ptr<engine::solvers::Solver> direct_;  // null if this build has none
-    std::unique_ptr<engine::solvers::Solver> experiments_;
-};
+// The converged forces of at most 1e-10 m/s (natural map), starting from `guess`. None if no solver converges.
+std::optional<engine::Columns> converged_forces(const engine::SystemEquation& system, const engine::Columns& guess);
 
 }  // namespace pushfactor::demos::reports::error

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <sstream>
 
@@ -14,15 +15,20 @@ namespace pushfactor::demos::reports::error {
 namespace {
 
 using Values = std::vector<std::string>;
+using Methods = std::vector<Method>;
 
 constexpr int filled_circle = 7, filled_square = 5, filled_triangle = 9, diamond = 13;
 constexpr int solid = 1, dashed = 2, dotted = 3;
 
+Values words_of(const std::string& text) {
+    std::istringstream stream(text);
+    return {std::istream_iterator<std::string>(stream), {}};
+}
+
 // From "solver=pgs tolerance=0".
 OptionTexts options(const std::string& text) {
     OptionTexts all;
-    std::istringstream words(text);
-    for (std::string word; words >> word;) {
+    for (const std::string& word : words_of(text)) {
         const auto sign = word.find('=');
         all.emplace_back(word.substr(0, sign), word.substr(sign + 1));
     }
@@ -42,102 +48,87 @@ Method over_dt(const char* name, const char* differs, const char* colour, int da
     return one;
 }
 
-// Solvers with their colours in all plots. Iterative ones run all iterations (tolerance 0); direct ones are varied
-// over the tolerance.
-std::vector<Method> solvers(bool push_matters) {
-    std::vector<Method> methods;
+Methods operator+(Methods all, const Methods& more) {
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+}
+
+// Iterative solvers run all iterations (tolerance 0); exact ones are varied over the tolerance.
+const Methods exact_solvers{method("direct", "solver=direct", "tolerance", "violet", solid, diamond),
+                            method("auto", "solver=auto", "tolerance", "violet", dotted, filled_triangle)};
+const Methods cold_solvers = Methods{method("pgs", "tolerance=0 solver=pgs", "iterations", "blue"),
+                                     method("nncg", "tolerance=0 solver=nncg", "iterations", "green"),
+                                     method("jacobi", "tolerance=0 solver=jacobi", "iterations", "orange")} +
+                             exact_solvers;
+
+// The iterative ones with and without warm start.
+Methods solvers(bool push_matters) {
+    Methods methods;
     const auto add = [&methods](const std::string& name, const std::string& more, const std::string& differs,
                                 const char* colour) {
-        methods.push_back(method(name + ", warm" + more, "tolerance=0 " + differs, "iterations", colour));
-        methods.push_back(method(name + ", cold" + more, "tolerance=0 " + differs + " warm-start=off", "iterations",
-                                 colour, dashed, filled_square));
+        const std::string both = "tolerance=0 " + differs;
+        methods.push_back(method(name + ", warm" + more, both, "iterations", colour));
+        methods.push_back(
+            method(name + ", cold" + more, both + " warm-start=off", "iterations", colour, dashed, filled_square));
     };
     add("pgs", "", "solver=pgs", "blue");
     add("nncg", "", "solver=nncg", "green");
     add("jacobi", "", "solver=jacobi", "orange");
     if (push_matters) add("pgs", ", persistent", "solver=pgs push=persistent", "vermilion");
-    methods.push_back(method("direct", "solver=direct", "tolerance", "violet", solid, diamond));
-    methods.push_back(method("auto", "solver=auto", "tolerance", "violet", dotted, filled_triangle));
-    return methods;
-}
-
-std::vector<Method> cold_solvers() {
-    return {method("pgs", "tolerance=0 solver=pgs", "iterations", "blue"),
-            method("nncg", "tolerance=0 solver=nncg", "iterations", "green"),
-            method("jacobi", "tolerance=0 solver=jacobi", "iterations", "orange"),
-            method("direct", "solver=direct", "tolerance", "violet", solid, diamond),
-            method("auto", "solver=auto", "tolerance", "violet", dotted, filled_triangle)};
+    return methods + exact_solvers;
 }
 
 // Small steps with 1, 2 or 4 sweeps each.
-std::vector<Method> small_steps(bool quick) {
-    std::vector<Method> methods;
+Methods small_steps(bool quick) {
+    Methods methods;
     for (const auto& [sweeps, colour] :
          {std::pair{"1", "orange"}, std::pair{"2", "green"}, std::pair{"4", "violet"}}) {
         methods.push_back(method(fmt::format("small steps of {}", sweeps),
                                  "tolerance=0 solver=pgs scheme=small-steps", "small-steps", colour, solid,
                                  filled_triangle));
-        for (const char* const steps : {"2", "4", "8", "16", "32", "64"}) {
-            if (quick && std::string_view(steps).size() > 1) continue;
-            methods.back().values.push_back(fmt::format("{}x{}", steps, sweeps));
-        }
+        for (const std::string& steps : words_of(quick ? "2 4 8" : "2 4 8 16 32 64"))
+            methods.back().values.push_back(steps + "x" + sweeps);
     }
     return methods;
 }
 
-// Of the wall: sweeps of whole steps and small steps.
-std::vector<Method> of_the_wall(bool quick) {
-    std::vector<Method> methods = small_steps(quick);
-    methods.insert(methods.begin(),
-                   {method("whole step, from the last forces", "tolerance=0 solver=pgs", "iterations", "blue"),
-                    method("whole step, no push", "tolerance=0 solver=pgs push=none", "iterations", "blue", dashed,
-                           filled_square)});
-    methods.push_back(method("auto", "solver=auto", "tolerance", "vermilion", dotted, filled_triangle));
-    return methods;
+// Sweeps of whole steps and small steps.
+Methods of_the_wall(bool quick) {
+    return Methods{method("whole step, from the last forces", "tolerance=0 solver=pgs", "iterations", "blue"),
+                   method("whole step, no push", "tolerance=0 solver=pgs push=none", "iterations", "blue", dashed,
+                          filled_square)} +
+           small_steps(quick) +
+           Methods{method("auto", "solver=auto", "tolerance", "vermilion", dotted, filled_triangle)};
 }
 
-std::vector<Method> of_the_pile(bool quick) {
-    std::vector<Method> methods = solvers(false);
-    const std::vector<Method> small = small_steps(quick);
-    methods.insert(methods.end(), small.begin(), small.end());
-    return methods;
-}
-
-std::vector<Method> integrators() {
-    return {over_dt("beta 0.2, no kick", "distance-beta=0.2 start-kick=off", "vermilion", dashed, filled_square, 1),
-            over_dt("beta 1, no kick", "start-kick=off", "vermilion", solid, filled_circle, 1),
-            over_dt("beta 1, half kick", "", "blue", solid, filled_circle, 2),
-            over_dt("single-frame, half kick", "distance-push=single-frame", "blue", dashed, filled_square, 1),
-            over_dt("rattle", "scheme=rattle", "green", solid, filled_triangle, 2),
-            over_dt("rattle4", "scheme=rattle4", "orange", solid, filled_triangle, 4),
-            over_dt("rattle6", "scheme=rattle6", "violet", solid, filled_triangle, 6)};
-}
+const Methods integrators{
+    over_dt("beta 0.2, no kick", "distance-beta=0.2 start-kick=off", "vermilion", dashed, filled_square, 1),
+    over_dt("beta 1, no kick", "start-kick=off", "vermilion", solid, filled_circle, 1),
+    over_dt("beta 1, half kick", "", "blue", solid, filled_circle, 2),
+    over_dt("single-frame, half kick", "distance-push=single-frame", "blue", dashed, filled_square, 1),
+    over_dt("rattle", "scheme=rattle", "green", solid, filled_triangle, 2),
+    over_dt("rattle4", "scheme=rattle4", "orange", solid, filled_triangle, 4),
+    over_dt("rattle6", "scheme=rattle6", "violet", solid, filled_triangle, 6)};
 
 // For bodies without contacts. rattle would equal the half kick.
-std::vector<Method> free_motions() {
-    return {over_dt("splitting, no kick", "start-kick=off", "blue", dashed, filled_square, 1),
-            over_dt("splitting, half kick", "", "blue", solid, filled_circle, 2),
-            over_dt("exponential, half kick", "rotation=exponential", "green", solid, filled_circle, 1),
-            over_dt("paper, half kick", "rotation=paper", "vermilion", dotted, filled_circle, 1),
-            over_dt("paper, no kick", "rotation=paper start-kick=off", "vermilion", dashed, filled_square, 1),
-            over_dt("rattle4", "scheme=rattle4 start-kick=off", "orange", solid, filled_triangle, 4, 5),
-            over_dt("rattle6", "scheme=rattle6 start-kick=off", "violet", solid, filled_triangle, 6, 7)};
-}
+const Methods free_motions{
+    over_dt("splitting, no kick", "start-kick=off", "blue", dashed, filled_square, 1),
+    over_dt("splitting, half kick", "", "blue", solid, filled_circle, 2),
+    over_dt("exponential, half kick", "rotation=exponential", "green", solid, filled_circle, 1),
+    over_dt("paper, half kick", "rotation=paper", "vermilion", dotted, filled_circle, 1),
+    over_dt("paper, no kick", "rotation=paper start-kick=off", "vermilion", dashed, filled_square, 1),
+    over_dt("rattle4", "scheme=rattle4 start-kick=off", "orange", solid, filled_triangle, 4, 5),
+    over_dt("rattle6", "scheme=rattle6 start-kick=off", "violet", solid, filled_triangle, 6, 7)};
 
 Values values_of(const std::string& knob, bool quick) {
-    if (knob == "iterations") {
-        return quick ? Values{"1", "5", "25", "100"}
-                     : Values{"1", "2", "5", "10", "25", "50", "100", "250", "1000"};
-    }
-    if (knob == "tolerance")
-        return quick ? Values{"1e-3", "1e-8"} : Values{"1e-2", "1e-4", "1e-6", "1e-8", "1e-10"};
-    if (knob == "substeps") return quick ? Values{"1", "4"} : Values{"1", "2", "4", "8", "16", "32"};
-    return quick ? Values{"1/60", "1/120", "1/240"}
-                 : Values{"1/60", "1/120", "1/240", "1/480", "1/960", "1/1920", "1/3840"};
+    if (knob == "iterations") return words_of(quick ? "1 5 25 100" : "1 2 5 10 25 50 100 250 1000");
+    if (knob == "tolerance") return words_of(quick ? "1e-3 1e-8" : "1e-2 1e-4 1e-6 1e-8 1e-10");
+    if (knob == "substeps") return words_of(quick ? "1 4" : "1 2 4 8 16 32");
+    return words_of(quick ? "1/60 1/120 1/240" : "1/60 1/120 1/240 1/480 1/960 1/1920 1/3840");
 }
 
 std::vector<Experiment> all_experiments(bool quick) {
-    std::vector<Method> standing = solvers(true), parting = solvers(true);
+    Methods standing = solvers(true), parting = solvers(true);
     standing.push_back(method("pgs, warm, 4 a substep", "solver=pgs iterations=4 tolerance=0", "substeps", "blue",
                               dotted, filled_triangle));
     for (Method& each : parting) each.flies = each.name.ends_with("persistent");
@@ -146,7 +137,7 @@ std::vector<Experiment> all_experiments(bool quick) {
     // `full` and `short_run`: seconds of the run and of the quick run.
     const auto add = [&](const char* scene, const char* title, const std::string& common, const char* full,
                          const char* short_run, MakeTrueError error, const char* error_axis, const char* caption,
-                         std::vector<Method> methods) -> Experiment& {
+                         Methods methods) -> Experiment& {
         OptionTexts texts = options("preset=default " + common);
         texts.emplace_back("seconds", quick ? short_run : full);
         return all.emplace_back(
@@ -196,31 +187,31 @@ std::vector<Experiment> all_experiments(bool quick) {
         "The same chain under steps of different length, against the exact motion of balls on massless bars: the "
         "distance of their centres over all balls and steps. Between the bars the balls swing sideways some fifty "
         "times a second, which steps have to resolve. Grey: errors that shrink with a power of the step.",
-        integrators())
+        integrators)
         .name = "chain_motion";
     add("pile_of_cubes", "Pile: overlap of falling cubes", "slop=0", "3", "1", overlap_error,
         "deepest overlap, median of the steps [m]",
         "Forty cubes, turned at random, fall and come to rest: how far the two of a step overlap that do so most, "
         "the median of the steps. Exact contacts do not overlap.",
-        of_the_pile(quick));
+        solvers(false) + small_steps(quick));
     add("pendulum-wave", "Pendulum wave: against the exact motion", "substeps=1", "60", "5", scene_error,
         "error of the angle, RMS [degrees]",
         "Fifty pendulums against the exact motion of a ball on a bar (two angles): the error of the angle over all "
         "balls and steps. Grey: errors that shrink with a power of the step.",
-        integrators())
+        integrators)
         .clock_seconds = 5.0;
     add("free_body", "Free bodies: against the exact flight and rotation", "", "2", "2", free_error,
         "distance of the corners from the exact motion, RMS [m]",
         "A ball and a tumbling box with three different moments of inertia, thrown: the distance of the box's "
         "corners from the parabola and the closed form of Euler's equations. Half a kick makes the flight exact; "
         "what is left is the rotation. Nothing is solved, so the work is the moves.",
-        free_motions())
+        free_motions)
         .solves = false;
     add("sphere_column", "Column of spheres: against the weights", "push=none warm-start=off", "1", "0.5",
         column_error, "relative error of the constraint forces in the first step",
         "Ten equal spheres one on the other: the constraint forces of the first step against the weights above "
         "each contact. Grey: the known contraction of Gauss-Seidel, cos^2(pi/2n) per sweep.",
-        cold_solvers())
+        cold_solvers)
         .contraction = column_contraction(10);
     return all;
 }
@@ -240,11 +231,9 @@ std::vector<Experiment> error_experiments(bool quick) {
 
 bool available(const Method& method) {
     Settings scratch;
-    return std::all_of(method.differs.begin(), method.differs.end(), [&scratch](const auto& wanted) {
-        for (const SimulationOption& option : simulation_options()) {
-            if (option.name == wanted.first) return option.set(scratch, wanted.second);
-        }
-        return false;
+    return std::ranges::all_of(method.differs, [&scratch](const auto& wanted) {
+        const auto option = std::ranges::find(simulation_options(), wanted.first, &SimulationOption::name);
+        return option != std::end(simulation_options()) && option->set(scratch, wanted.second);
     });
 }
 
@@ -259,11 +248,15 @@ std::string differences(const Experiment& sweep, const Method& method) {
     return text;
 }
 
-Choices run_at(const Experiment& sweep, const Method& method, const std::string& value) {
+OptionTexts options_at(const Experiment& sweep, const Method& method, const std::string& value) {
     OptionTexts options{{method.knob, value}};
     options.insert(options.end(), method.differs.begin(), method.differs.end());
     options.insert(options.end(), sweep.common.begin(), sweep.common.end());
-    return run_of(sweep.scene, options);
+    return options;
+}
+
+Choices run_at(const Experiment& sweep, const Method& method, const std::string& value) {
+    return run_of(sweep.scene, options_at(sweep, method, value));
 }
 
 double column_contraction(int balls) {

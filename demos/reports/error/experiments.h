@@ -26,7 +26,7 @@ struct Method {
 
 struct Experiment {
     std::string scene;   // of the catalogue or of assets/scenes
-    std::string name{};  // of the part and its files; the scene's, unless that has several experiments
+    std::string name{};  // of the part and its files: the scene's, unless that has several experiments
     std::string title{};
     OptionTexts common;  // preset and what all methods share
     MakeTrueError error;
@@ -48,7 +48,8 @@ bool available(const Method& method);
 // "warm-start=off slop=0": options in which a method and its sweep differ from the preset.
 std::string differences(const Experiment& sweep, const Method& method);
 
-// The run at one value of the knob.
+// The options at one value of the knob, and the run.
+OptionTexts options_at(const Experiment& sweep, const Method& method, const std::string& value);
 Choices run_at(const Experiment& sweep, const Method& method, const std::string& value);
 
 // cos^2(pi / 2n): contraction of the error per Gauss-Seidel sweep in a column of n equal balls on the ground.

@@ -1,10 +1,12 @@
 #include "demos/reports/error/frozen_moments.h"
 
-#include "demos/reports/study.h"
+#include "demos/runs/session.h"
 #include "demos/scenes/families/family.h"
 #include "engine/solvers/solver.h"
 
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace pushfactor::demos::reports::error {
 
@@ -108,53 +110,57 @@ FrozenProblem freeze(const std::string& name, const Choices& choices, const std:
     return {name, run.scene().world};
 }
 
-std::vector<FrozenPoint> solve_frozen(const FrozenProblem& problem, bool quick) {
+Table solve_frozen(const FrozenProblem& problem, bool quick) {
     const std::vector<int> iterations =
         quick ? std::vector{1, 5, 25, 100} : std::vector{1, 2, 5, 10, 25, 50, 100, 250, 1000};
-    std::vector<FrozenPoint> points;
+    Table table{frozen_columns};
     for (const engine::solvers::SolverEntry& entry : engine::solvers::solver_table()) {
         if (entry.name == "dense" && problem.system().rows.size() > most_rows_of_dense) continue;
         for (const bool warm : {false, true}) {
             for (const int most : iterations) {
                 engine::Columns lambda = warm ? problem.guess() : problem.zero();
-                const auto solver = entry.make();
                 // Tolerances of zero: always all iterations.
-                const engine::solvers::SolveCount count = solver->solve(
-                    problem.system(), {.iterations = most, .tolerance_high = 0.0, .tolerance_low = 0.0}, lambda);
-                points.push_back({.problem = problem.name(),
-                                  .method = fmt::format("{}, {}", entry.name, warm ? "warm" : "cold"),
-                                  .iterations = most,
-                                  .residual = natural_residual(problem.system(), lambda),
-                                  .multiply_adds = count.multiply_adds});
+                const double work =
+                    entry.make()->solve(problem.system(), {.iterations = most}, lambda).multiply_adds;
+                table.rows.push_back({problem.name(), fmt::format("{}, {}", entry.name, warm ? "warm" : "cold"),
+                                      most, natural_residual(problem.system(), lambda), work});
             }
         }
     }
-    return points;
-}
-
-Table table_of(const std::vector<FrozenPoint>& points) {
-    Table table{{"problem", "method", "iterations", "residual_m_per_s", "work_multiply_adds"}};
-    for (const auto& [problem, method, iterations, residual, multiply_adds] : points)
-        table.rows.push_back({problem, method, iterations, residual, multiply_adds});
     return table;
 }
 
-std::vector<WorkLine> lines_of(const std::vector<FrozenPoint>& points) {
-    std::vector<WorkLine> lines;
-    for (const FrozenPoint& point : points) {
-        if (point.method.starts_with("dense")) continue;
-        if (lines.empty() || lines.back().name != point.method) {
-            const bool warm = point.method.ends_with("warm");
-            lines.push_back({.name = point.method,
-                             .colour = colour_of_solver(point.method),
-                             .dash = warm ? 1 : 2,
-                             .mark = warm ? 7 : 5,
-                             .points = {}});
-        }
-        lines.back().points.push_back(
-            {.error = point.residual, .work = point.multiply_adds, .label = std::to_string(point.iterations)});
+std::string key_of(const FrozenMoment& moment, bool quick) {
+    return fmt::format("error: frozen, {}: {}{}", moment.name, run_key(moment.scene, moment.options),
+                       quick ? "; few iterations" : "");
+}
+
+Pieces frozen_pieces(const std::vector<FrozenMoment>& moments, bool quick) {
+    Pieces pieces;
+    for (const FrozenMoment& moment : moments) {
+        pieces.push_back({key_of(moment, quick), [moment, quick](const std::function<void()>& check) {
+                              const FrozenProblem problem = freeze(moment, check);
+                              return Json{{"rows", problem.system().row_count()},
+                                          {"columns", problem.system().column_count()},
+                                          {"lines", exact_rows(solve_frozen(problem, quick))}};
+                          }});
     }
-    return lines;
+    return pieces;
+}
+
+std::vector<WorkLine> lines_of(const std::vector<std::vector<std::string>>& lines) {
+    std::vector<WorkLine> drawn;
+    for (const auto& cells : lines) {
+        const std::string &method = cells[1], &iterations = cells[2];
+        if (method.starts_with("dense")) continue;
+        if (drawn.empty() || drawn.back().name != method) {
+            const bool warm = method.ends_with("warm");
+            drawn.push_back(
+                {.name = method, .colour = colour_of_solver(method), .dash = warm ? 1 : 2, .mark = warm ? 7 : 5});
+        }
+        drawn.back().points.push_back({std::stod(cells[3]), std::stod(cells[4]), iterations});
+    }
+    return drawn;
 }
 
 }  // namespace pushfactor::demos::reports::error

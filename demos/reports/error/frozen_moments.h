@@ -2,11 +2,11 @@
 // errors on the run.
 #pragma once
 
-#include "demos/options/choices.h"
 #include "demos/options/named_run.h"
 #include "demos/pages/table.h"
 #include "demos/reports/error/frozen_problem.h"
 #include "demos/reports/error/work_plot.h"
+#include "demos/reports/pieces/piece.h"
 
 #include <functional>
 #include <string>
@@ -37,20 +37,19 @@ std::vector<ContactMoment> contact_moments(bool quick);
 FrozenProblem freeze(const FrozenMoment& moment, const std::function<void()>& check);
 FrozenProblem freeze(const std::string& name, const Choices& choices, const std::function<void()>& check);
 
-struct FrozenPoint {
-    std::string problem, method;
-    int iterations = 0;
-    double residual = 0.0;       // m/s, natural map
-    double multiply_adds = 0.0;  // of the solve
-};
+inline const std::vector<std::string> frozen_columns{"problem", "method", "iterations", "residual_m_per_s",
+                                                     "work_multiply_adds"};
 
-// Results of every solver, cold and warm, over iterations. `dense` is left out above 200 rows: it gives the same as
-// `pgs` at cubic cost.
-std::vector<FrozenPoint> solve_frozen(const FrozenProblem& problem, bool quick);
+// Results of every solver, cold and warm, over iterations, as lines of frozen.csv. `dense` is left out above 200
+// rows: it gives the same as `pgs` at cubic cost.
+Table solve_frozen(const FrozenProblem& problem, bool quick);
 
-Table table_of(const std::vector<FrozenPoint>& points);  // frozen.csv
+// The moments as pieces. A result has the number of "rows" and "columns" of the system, and the "lines" of
+// solve_frozen().
+std::string key_of(const FrozenMoment& moment, bool quick);
+Pieces frozen_pieces(const std::vector<FrozenMoment>& moments, bool quick);
 
 // Lines of the plot of one problem: all but `dense`, whose work would compress the others.
-std::vector<WorkLine> lines_of(const std::vector<FrozenPoint>& points);
+std::vector<WorkLine> lines_of(const std::vector<std::vector<std::string>>& lines);
 
 }  // namespace pushfactor::demos::reports::error

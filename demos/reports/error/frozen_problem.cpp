@@ -9,18 +9,12 @@ namespace pushfactor::demos::reports::error {
 namespace {
 
 using engine::ConstraintRow;
-using engine::Matrix3;
 
 template <typename Numbers>
 Json numbers_of(const Numbers& numbers) {
     Json array = Json::array();
     for (const double number : numbers.reshaped()) array.push_back(number);
     return array;
-}
-
-// Row by row.
-Json matrix_json(const Matrix3& matrix) {
-    return numbers_of(matrix.transpose());
 }
 
 Json bound_json(double bound) {
@@ -47,22 +41,14 @@ FrozenProblem::FrozenProblem(std::string name, std::vector<ConstraintRow> rows, 
     weigh_rows(system_);
 }
 
-FrozenProblem::FrozenProblem(FrozenProblem&& other) noexcept
-    : name_(std::move(other.name_)),
-      rows_(std::move(other.rows_)),
-      system_(std::move(other.system_)),
-      guess_(std::move(other.guess_)) {
-    system_.rows = rows_;
-}
-
 std::string FrozenProblem::text() const {
     Json json{{"version", frozen_version}, {"name", name_}, {"dt_s", system_.dt}};
     json["bodies"] = Json::array();
     for (std::size_t i = 0; i < system_.inverse_mass.size(); ++i) {
         const engine::InverseMass& body = system_.inverse_mass[i];
         json["bodies"].push_back({{"inverse_mass_per_kg", body.linear},
-                                  {"inverse_inertia_per_kg_m2", matrix_json(body.angular)},
-                                  {"inverse_inertia_root", matrix_json(body.angular_root)},
+                                  {"inverse_inertia_per_kg_m2", numbers_of(body.angular.transpose())},
+                                  {"inverse_inertia_root", numbers_of(body.angular_root.transpose())},
                                   {"free_acceleration", numbers_of(system_.free_acceleration[i])}});
     }
     json["rows"] = Json::array();

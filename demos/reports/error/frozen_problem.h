@@ -53,7 +53,7 @@ class FrozenProblem {
     FrozenProblem(std::string name, std::vector<engine::ConstraintRow> rows, engine::SystemEquation system,
                   engine::Columns guess);
 
-    FrozenProblem(FrozenProblem&& other) noexcept;
+    FrozenProblem(FrozenProblem&& other) noexcept = default;  // rows stay where they are
 
     const std::string& name() const { return name_; }
     const engine::SystemEquation& system() const { return system_; }

@@ -1,17 +1,25 @@
 #include "demos/reports/error/points.h"
 
 #include "demos/platform/cpu_clock.h"
-#include "demos/reports/study.h"
 #include "demos/runs/measurements.h"
+#include "demos/runs/session.h"
+#include "demos/text/csv.h"
+#include "demos/text/numbers.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <memory>
 #include <numeric>
 
 namespace pushfactor::demos::reports::error {
 
 namespace {
+
+constexpr int timed_runs = 5;  // per point
 
 struct Work {
     double multiply_adds = 0.0;
@@ -25,19 +33,6 @@ struct StepTimes {
     void observe(const Simulation& run) { us.push_back(*run.sample().cpu_us); }
 };
 
-// Sets everything in `point` except the times.
-void run_for_errors(const Experiment& sweep, const Choices& choices, const std::function<void()>& check,
-                    ErrorPoint& point) {
-    Simulation run(choices);
-    Measurements measurements(run);
-    Work work;
-    const auto error = sweep.error(run);
-    const bool finite = play_to_end(run, check, work, measurements, *error);
-    point.errors = error->result();
-    point.multiply_adds = work.multiply_adds / run.sample().time;
-    point.outcome = finite ? name_of(measurements.outcome()) : "non-finite";
-}
-
 CpuShare time_runs(const Choices& choices, int repeats, const std::function<void()>& check) {
     const double dt = choices.settings.dt.value();
     const auto share = [dt](auto from, auto to) {
@@ -50,20 +45,41 @@ CpuShare time_runs(const Choices& choices, int repeats, const std::function<void
         play_to_end(run, check, steps);
         const std::vector<double>& times = steps.us;
         if (times.empty()) return {};
-        const auto second = std::min<long>(std::lround(1.0 / dt), static_cast<long>(times.size()));
-        const auto two = std::min<long>(2 * second, static_cast<long>(times.size()));
+        const auto second = std::min<long>(std::lround(1.0 / dt), std::ssize(times));
+        const auto two = std::min<long>(2 * second, std::ssize(times));
         all.push_back(share(times.begin(), times.end()));
         begin.push_back(share(times.begin(), times.begin() + two));
         end.push_back(share(times.end() - second, times.end()));
     }
-    return {*std::min_element(all.begin(), all.end()), median(all), percentile_95(all), median(begin), median(end)};
+    return {std::ranges::min(all), median(all), percentile_95(all), median(begin), median(end)};
+}
+
+bool fails(const std::string& outcome, const Method& method) {
+    return means_failure(outcome) && !(outcome == "fly" && method.flies);
+}
+
+// A line of error.csv; numbers that are missing are NaN.
+ErrorPoint point_of(const std::vector<std::string>& cells) {
+    const auto number = [&cells](std::size_t i) {
+        return parse_number(cells.at(i)).value_or(std::numeric_limits<double>::quiet_NaN());
+    };
+    return {.scene = cells[0],
+            .method = cells[1],
+            .differences = cells[2],
+            .knob = cells[3],
+            .value = cells[4],
+            .errors = {{cells[5], number(6)}},
+            .multiply_adds = number(7),
+            .cpu = {number(8), number(9), number(10), number(11), number(12)},
+            .outcome = cells.at(13),
+            .failed = !std::isfinite(number(6)) || means_failure(cells[13])};
 }
 
 }  // namespace
 
 bool means_failure(const std::string& outcome) {
     constexpr std::array<std::string_view, 5> failures{"non-finite", "fall", "tunnel", "torn", "fly"};
-    return std::find(failures.begin(), failures.end(), outcome) != failures.end();
+    return std::ranges::find(failures, outcome) != failures.end();
 }
 
 ErrorPoint run_point(const Experiment& sweep, const Method& method, const std::string& value, int repeats,
@@ -73,19 +89,53 @@ ErrorPoint run_point(const Experiment& sweep, const Method& method, const std::s
                      .method = method.name,
                      .differences = differences(sweep, method),
                      .knob = method.knob,
-                     .value = value,
-                     .moves = method.moves * choices.settings.substeps.value_or(1) / choices.settings.dt.value()};
-    run_for_errors(sweep, choices, check, point);
+                     .value = value};
+    Simulation run(choices);
+    Measurements measurements(run);
+    Work work;
+    TrueError error = sweep.error(run);
+    const bool finite = play_to_end(run, check, work, measurements, error);
+    point.errors = error.result();
+    point.multiply_adds = work.multiply_adds / run.sample().time;
+    point.outcome = finite ? name_of(measurements.outcome()) : "non-finite";
+    point.failed = fails(point.outcome, method);
     if (sweep.clock_seconds) choices.settings.seconds = std::min(choices.settings.seconds, *sweep.clock_seconds);
     point.cpu = time_runs(choices, repeats, check);
-    point.failed = means_failure(point.outcome) && !(point.outcome == "fly" && method.flies);
+    return point;
+}
+
+std::string key_of(const Experiment& sweep, const Method& method, const std::string& value) {
+    return fmt::format("error: {}, {}: {}; timed {} times{}", sweep.name, method.name,
+                       run_key(sweep.scene, options_at(sweep, method, value)), timed_runs,
+                       sweep.clock_seconds ? fmt::format(" over {} s", *sweep.clock_seconds) : "");
+}
+
+Pieces point_pieces(std::vector<Experiment> sweeps) {
+    const auto all = std::make_shared<const std::vector<Experiment>>(std::move(sweeps));
+    Pieces pieces;
+    for (const Experiment& sweep : *all) {
+        for (const Method& method : sweep.methods) {
+            for (const std::string& value : method.values) {
+                pieces.push_back(
+                    {key_of(sweep, method, value), [all, &sweep, &method, value](const auto& check) {
+                         return Json(exact_rows(table_of({run_point(sweep, method, value, timed_runs, check)})));
+                     }});
+            }
+        }
+    }
+    return pieces;
+}
+
+ErrorPoint point_in(const Json& result, const Method& method) {
+    ErrorPoint point = point_of(result.at(0));
+    for (std::size_t i = 1; i < result.size(); ++i) point.errors.push_back(point_of(result[i]).errors.front());
+    point.failed = fails(point.outcome, method);
     return point;
 }
 
 double percentile_95(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
-    const auto count = static_cast<double>(values.size());
-    return values[static_cast<std::size_t>(std::ceil(0.95 * count)) - 1];
+    std::ranges::sort(values);
+    return values[static_cast<std::size_t>(std::ceil(0.95 * static_cast<double>(values.size()))) - 1];
 }
 
 Table table_of(const std::vector<ErrorPoint>& points) {
@@ -102,6 +152,20 @@ Table table_of(const std::vector<ErrorPoint>& points) {
         }
     }
     return table;
+}
+
+std::vector<ErrorPoint> read_error_points(const std::filesystem::path& file) {
+    std::vector<ErrorPoint> points;
+    for (const auto& cells : read_csv("--beside", file, table_of({}).columns)) points.push_back(point_of(cells));
+    return points;
+}
+
+std::vector<ErrorPoint> about(std::vector<ErrorPoint> points, const std::string& scene,
+                              const std::string& measure) {
+    std::erase_if(points, [&](const ErrorPoint& point) {
+        return point.scene != scene || point.errors.front().name != measure;
+    });
+    return points;
 }
 
 }  // namespace pushfactor::demos::reports::error

@@ -4,40 +4,43 @@
 
 #include "demos/runs/simulation.h"
 
-#include <cmath>
 #include <functional>
-#include <memory>
 #include <string>
 #include <vector>
 
 namespace pushfactor::demos::reports::error {
-
-// Root of the mean of squares.
-class Rms {
-  public:
-    void add(double square) {
-        sum_ += square;
-        ++count_;
-    }
-    double value() const { return count_ > 0 ? std::sqrt(sum_ / static_cast<double>(count_)) : 0.0; }
-
-  private:
-    double sum_ = 0.0;
-    long count_ = 0;
-};
 
 struct NamedError {
     std::string name;  // with its unit, "sideways_m"; without one it is relative
     double value = 0.0;
 };
 
-class TrueError {
+// One number of what is added to it over the steps of a run, 0 of nothing.
+class ErrorNumber {
   public:
-    virtual ~TrueError() = default;
-    virtual void observe(const Simulation& simulation) = 0;  // after each step
-    virtual std::vector<NamedError> result() const = 0;      // the plotted one first
+    enum Kind { root_mean, largest, middle, last, sum };  // root_mean: of squares
+
+    ErrorNumber(std::string name, Kind kind) : name_(std::move(name)), kind_(kind) {}
+    void add(double value);
+    NamedError result() const;
+
+  private:
+    std::string name_;
+    Kind kind_;
+    double value_ = 0.0;
+    long count_ = 0;
+    std::vector<double> all_;  // for the median
 };
-using MakeTrueError = std::function<std::unique_ptr<TrueError>(const Simulation& start)>;
+using ErrorNumbers = std::vector<ErrorNumber>;
+
+struct TrueError {
+    ErrorNumbers numbers;  // the plotted one first
+    std::function<void(const Simulation& now, ErrorNumbers& numbers)> look;
+
+    void observe(const Simulation& now) { look(now, numbers); }  // after each step
+    std::vector<NamedError> result() const;
+};
+using MakeTrueError = std::function<TrueError(const Simulation& start)>;
 
 // Closed form of one of the parting cubes after `steps` engine steps, with everything solved exactly.
 struct PartingCube {
@@ -61,32 +64,32 @@ double weight_above(int lower, int count, double mass, double gravity);
 // common centre of mass of everything above a face is above that face, forces at its corners can stop the fall
 // without rotation, and the velocities of an exact solution are unique. So each cube lands straight below its
 // start.
-std::unique_ptr<TrueError> rest_error(const Simulation& start);
+TrueError rest_error(const Simulation& start);
 
 // Structures that should stand: distance from the start, RMS over the bodies and the last second.
-std::unique_ptr<TrueError> standing_error(const Simulation& start);
+TrueError standing_error(const Simulation& start);
 
 // Intersecting stack: distance from PartingCube, over all steps and cubes.
-std::unique_ptr<TrueError> parting_error(const Simulation& start);
+TrueError parting_error(const Simulation& start);
 
 // The scene's own measure: for the wave the angle against the exact motion of two angles.
-std::unique_ptr<TrueError> scene_error(const Simulation& start);
+TrueError scene_error(const Simulation& start);
 
 // A column of equal touching balls: e_f of the first step, whose exact forces are the weights above.
-std::unique_ptr<TrueError> column_error(const Simulation& start);
+TrueError column_error(const Simulation& start);
 
-// The chain: distance of the balls from the exact motion, over all steps.
-std::unique_ptr<TrueError> chain_error(const Simulation& start);
+// The chain: distance of the balls from the exact motion of balls on massless bars, over all steps.
+TrueError chain_error(const Simulation& start);
 
 // Piles: the deepest overlap, the median of the steps; its largest value.
-std::unique_ptr<TrueError> overlap_error(const Simulation& start);
+TrueError overlap_error(const Simulation& start);
 
-// Free bodies: distance of the corners of boxes from the exact motion, over all steps; its parts due to flight (of
-// all bodies) and to rotation, and the largest relative change of rotational energy. Throws engine::InvalidInput
-// for a box whose motion scenes::FreeRotation does not cover.
-std::unique_ptr<TrueError> free_error(const Simulation& start);
+// Free bodies: distance of the corners of boxes from the parabola and the closed form of free rotation, over all
+// steps; its parts due to flight (of all bodies) and to rotation, and the largest relative change of rotational
+// energy. Throws engine::InvalidInput for a box whose motion scenes::FreeRotation does not cover.
+TrueError free_error(const Simulation& start);
 
 // Everything else: the median of e_f against converged forces of the same system, over thirty moments of the run.
-std::unique_ptr<TrueError> converged_error(const Simulation& start);
+TrueError converged_error(const Simulation& start);
 
 }  // namespace pushfactor::demos::reports::error

@@ -1,7 +1,6 @@
 #include "demos/reports/error/work_plot.h"
 
 #include "demos/figures/plot.h"
-#include "demos/reports/error/plot_layout.h"
 #include "demos/text/palette.h"
 
 #include <fmt/format.h>
@@ -9,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <string_view>
 
 namespace pushfactor::demos::reports::error {
@@ -19,7 +17,7 @@ namespace {
 constexpr double least_error = 1e-16;  // rounding: smaller errors are not distinguished
 constexpr double aspect = 1.45;
 // Size of the area inside the axes in letter widths of the labels; the script draws them in this size.
-constexpr Place area{110.0, 100.0 / aspect};
+const Place area(110.0, 100.0 / aspect);
 
 // Powers of ten at both ends of an axis.
 struct Decades {
@@ -32,22 +30,19 @@ struct Decades {
 
 struct Axes {
     Decades error, work;
+    bool failures = false;  // some points failed
 
     double shown_error(const WorkPoint& point) const {
         return point.failed ? error.at(1.0) : std::max(point.error, error.at(0.0));
     }
     Place place(const WorkPoint& point) const {
-        return {area.x * error.share(shown_error(point)), area.y * work.share(point.work)};
+        return area.cwiseProduct(Place(error.share(shown_error(point)), work.share(point.work)));
     }
 };
 
 Decades decades(const std::vector<double>& values) {
-    double least = std::numeric_limits<double>::max(), most = 0.0;
-    for (const double value : values) {
-        least = std::min(least, value);
-        most = std::max(most, value);
-    }
-    if (most <= 0.0) return {};
+    if (values.empty() || std::ranges::max(values) <= 0.0) return {};
+    const auto [least, most] = std::ranges::minmax(values);
     // Half decades, with a margin so that no point is on the border.
     const double low = 0.5 * std::floor(2.0 * (std::log10(least) - 0.1));
     const double high = 0.5 * std::ceil(2.0 * (std::log10(most) + 0.1));
@@ -61,17 +56,18 @@ bool drawable(const WorkPoint& point) {
 
 Axes axes_of(const WorkPlot& plot) {
     std::vector<double> errors, works;
-    bool failures = false;
+    Axes axes;
     for (const WorkLine& line : plot.lines) {
         for (const WorkPoint& point : line.points) {
             if (!drawable(point)) continue;
             works.push_back(point.work);
-            failures |= point.failed;
+            axes.failures |= point.failed;
             if (!point.failed) errors.push_back(std::max(point.error, least_error));
         }
     }
-    Axes axes{decades(errors), decades(works)};
-    if (failures) axes.error.high += 1.0;
+    axes.error = decades(errors);
+    axes.work = decades(works);
+    if (axes.failures) axes.error.high += 1.0;
     return axes;
 }
 
@@ -141,8 +137,9 @@ class Labels {
         std::string text;
         for (std::size_t i = 0; i < places.size(); ++i) {
             if (!places[i]) continue;
-            text += fmt::format("{},{},{},{}\n", axes_.error.at(places[i]->x / area.x),
-                                axes_.work.at(places[i]->y / area.y), texts_[i], colours_[i]);
+            const Place share = places[i]->cwiseQuotient(area);
+            text += fmt::format("{},{},{},{}\n", axes_.error.at(share.x()), axes_.work.at(share.y()), texts_[i],
+                                colours_[i]);
         }
         return block("labels: error, work, text, colour", text);
     }
@@ -151,7 +148,7 @@ class Labels {
     // Coincident points get one label if they belong to one line or have the same value.
     void add(const Place& place, const std::string& text, int colour) {
         for (std::size_t i = 0; i < points_.size(); ++i) {
-            const bool same_point = std::hypot(points_[i].x - place.x, points_[i].y - place.y) < 1.0;
+            const bool same_point = (points_[i] - place).norm() < 1.0;
             if (same_point && (colours_[i] == colour || texts_[i] == text)) return;
         }
         points_.push_back(place);
@@ -189,10 +186,6 @@ std::string data_text(const WorkPlot& plot, const Axes& axes) {
     return text;
 }
 
-std::string in_quotes(const std::string& word) {
-    return "\"" + word + "\" ";
-}
-
 }  // namespace
 
 Cheapest cheapest(std::span<const WorkLine> lines, double error) {
@@ -209,23 +202,19 @@ Cheapest cheapest(std::span<const WorkLine> lines, double error) {
 std::string colour_of_solver(const std::string& method) {
     constexpr std::array<std::pair<std::string_view, std::string_view>, 5> colours{
         {{"pgs", "blue"}, {"nncg", "green"}, {"jacobi", "orange"}, {"direct", "violet"}, {"auto", "vermilion"}}};
-    const std::string solver = method.substr(0, method.find(','));
-    for (const auto& [name, colour] : colours) {
-        if (solver == name) return std::string(colour);
-    }
-    return "grey";
+    const auto found = std::ranges::find(colours, method.substr(0, method.find(',')),
+                                         &std::pair<std::string_view, std::string_view>::first);
+    return found == colours.end() ? "grey" : std::string(found->second);
 }
 
 void draw_work_plot(const WorkPlot& plot, const std::filesystem::path& folder, SectionContent& plate) {
     const Axes axes = axes_of(plot);
     std::string names, colours, dashes, marks;
-    bool failures = false;
     for (const WorkLine& line : plot.lines) {
-        names += in_quotes(line.name);
+        names += "\"" + line.name + "\" ";
         colours += line.colour + " ";
         dashes += fmt::format("{} ", line.dash);
         marks += fmt::format("{} ", line.mark);
-        for (const WorkPoint& point : line.points) failures |= point.failed && drawable(point);
     }
     const Plot drawing{.script = "error_against_work",
                        .data = plot.name + ".dat",
@@ -236,7 +225,7 @@ void draw_work_plot(const WorkPlot& plot, const std::filesystem::path& folder, S
                                      {"dashes", dashes},
                                      {"marks", marks},
                                      {"theories", static_cast<double>(plot.theory.size())},
-                                     {"failures", failures ? 1.0 : 0.0},
+                                     {"failures", axes.failures ? 1.0 : 0.0},
                                      {"front", plot.front ? 1.0 : 0.0},
                                      {"error_axis", plot.error_axis},
                                      {"work_axis", plot.work_axis},
@@ -246,6 +235,13 @@ void draw_work_plot(const WorkPlot& plot, const std::filesystem::path& folder, S
                                      {"work_low", axes.work.at(0.0)},
                                      {"work_high", axes.work.at(1.0)}}};
     add_plot(drawing, data_text(plot, axes), folder, plate);
+}
+
+Section work_section(const WorkPlot& plot, const std::string& heading, const std::string& caption,
+                     const std::filesystem::path& folder, SectionContent plate) {
+    plate.caption = caption;
+    draw_work_plot(plot, folder, plate);
+    return {plot.name, heading, std::move(plate)};
 }
 
 }  // namespace pushfactor::demos::reports::error

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <limits>
 #include <map>
 #include <mutex>
 
@@ -19,13 +18,13 @@ std::string content_of(const std::string& scene) {
     static std::mutex mutex;
     static std::map<std::string, std::string> known;
     const std::lock_guard lock(mutex);
-    auto found = known.find(scene);
-    if (found == known.end()) {
+    std::string& content = known[scene];
+    if (content.empty()) {
         const Choices choices = run_of(scene, {});
-        const std::uint64_t hash = text_hash(scene_file_text(spelled_out(choices)));
-        found = known.emplace(scene, fmt::format("{} {:016x}", choices.description.name, hash)).first;
+        content =
+            fmt::format("{} {:016x}", choices.description.name, text_hash(scene_file_text(spelled_out(choices))));
     }
-    return found->second;
+    return content;
 }
 
 }  // namespace
@@ -40,10 +39,7 @@ Json json_number(double value) {
 }
 
 double number_in(const Json& json) {
-    if (!json.is_string()) return json.get<double>();
-    const std::string& text = json.get_ref<const std::string&>();
-    const double infinity = std::numeric_limits<double>::infinity();
-    return text == "inf" ? infinity : text == "-inf" ? -infinity : std::numeric_limits<double>::quiet_NaN();
+    return json.is_string() ? std::stod(json.get_ref<const std::string&>()) : json.get<double>();
 }
 
 Json json_numbers(const std::vector<double>& values) {

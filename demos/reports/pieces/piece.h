@@ -22,10 +22,6 @@ struct Piece {
 };
 using Pieces = std::vector<Piece>;
 
-inline bool has_failed(const Json& result) {
-    return result.is_object() && result.contains("failed");
-}
-
 // Number that decides the shard and the file of a piece.
 inline std::uint64_t hash_of_key(const std::string& key) {
     return text_hash(key);
@@ -35,12 +31,13 @@ inline std::uint64_t hash_of_key(const std::string& key) {
 // and of a file its content, not its path.
 std::string run_key(const std::string& scene, const OptionTexts& options);
 
-// JSON has no infinity and no NaN: these become texts.
+// JSON has no infinity and no NaN: these become texts. Readers throw std::exception for JSON of another form.
 Json json_number(double value);
 double number_in(const Json& json);
-
-// The same for a list. Both readers throw std::exception for JSON of another form.
 Json json_numbers(const std::vector<double>& values);
 std::vector<double> numbers_in(const Json& json);
+
+// The page that plays the run, with poses only. `check` is called at each step; its exceptions end the run.
+std::string replay_of(const std::string& scene, const OptionTexts& options, const std::function<void()>& check);
 
 }  // namespace pushfactor::demos::reports

@@ -17,9 +17,6 @@
 
 namespace pushfactor::demos::reports {
 
-// Version of this program as pieces and their folders have it.
-const std::string& version_of_pieces();
-
 struct StoredPiece {
     std::string machine;
     Json result;
@@ -29,7 +26,8 @@ struct StoredPiece {
 class PieceStore {
   public:
     // Pieces are looked for in all folders and written to the first. `machine` is stored with them.
-    PieceStore(std::vector<std::filesystem::path> folders, std::string machine);
+    PieceStore(std::vector<std::filesystem::path> folders, std::string machine)
+        : folders_(std::move(folders)), machine_(std::move(machine)) {}
 
     // A whole piece of this version; none if it is missing or damaged.
     std::optional<StoredPiece> find(const std::string& key) const;
@@ -46,8 +44,6 @@ class PieceStore {
     static std::set<std::string> versions_in(const std::filesystem::path& folder);
 
   private:
-    std::filesystem::path place_of(const std::filesystem::path& folder, const std::string& key) const;
-
     std::vector<std::filesystem::path> folders_;
     std::string machine_;
 };

@@ -1,6 +1,5 @@
-#include "demos/reports/reality/closed_forms.h"
-
-#include "demos/runs/scene.h"
+// Motions with friction whose result is known in closed form.
+#include "demos/reports/reality/sections.h"
 
 #include <cmath>
 #include <utility>
@@ -14,25 +13,9 @@ using engine::Vector3;
 constexpr double g = 9.81;    // m/s^2
 constexpr double dt = 0.001;  // s
 
-// One body of 1 kg on a level plane; `more` completes it.
+// Two bodies, the second of which is looked at.
 struct Trial {
-    explicit Trial(FrictionModel model, BodyDescription body, double friction,
-                   const Vector3& gravity = {0, -g, 0}) {
-        SceneDescription scene;
-        scene.name = "closed form";
-        scene.gravity = gravity;
-        scene.contacts = true;
-        scene.bodies.push_back({.name = "ground", .shape = PlaneShape{}});
-        body.name = "body";
-        body.mass = 1.0;
-        scene.bodies.push_back(std::move(body));
-        build(std::move(scene), model, friction);
-    }
     Trial(FrictionModel model, SceneDescription scene, double friction) {
-        build(std::move(scene), model, friction);
-    }
-
-    void build(SceneDescription scene, FrictionModel model, double friction) {
         Settings settings = preset_settings("default");
         settings.friction_model = model;
         settings.friction = friction;
@@ -49,11 +32,18 @@ struct Trial {
     BuiltScene built;
 };
 
+// One body of 1 kg on a level plane.
+SceneDescription on_plane(BodyDescription body) {
+    body.name = "body";
+    body.mass = 1.0;
+    return one_on_another("closed form", {.name = "ground", .shape = PlaneShape{}}, std::move(body));
+}
+
 // A box 0.3 m wide and 0.6 m high that slides along its width: the friction below its centre tips it forwards.
-BodyDescription tall_box(double speed) {
-    return {.shape = BoxShape{Vector3(0.3, 0.6, 0.3)},
-            .position = Vector3(0, 0.3, 0),
-            .velocity = Vector3(speed, 0, 0)};
+SceneDescription tall_box(double speed) {
+    return on_plane({.shape = BoxShape{Vector3(0.3, 0.6, 0.3)},
+                     .position = Vector3(0, 0.3, 0),
+                     .velocity = Vector3(speed, 0, 0)});
 }
 
 // Share of the weight on the rear edge while it slides.
@@ -83,10 +73,10 @@ double way_to_stop(FrictionModel model) {
 double rolling_speed(FrictionModel model) {
     constexpr double radius = 0.1;
     Trial trial(model,
-                {.shape = SphereShape{radius},
-                 .position = Vector3(0, radius, 0),
-                 .velocity = Vector3(2, 0, 0),
-                 .angular_velocity = Vector3(0, 0, 30)},
+                on_plane({.shape = SphereShape{radius},
+                          .position = Vector3(0, radius, 0),
+                          .velocity = Vector3(2, 0, 0),
+                          .angular_velocity = Vector3(0, 0, 30)}),
                 0.3);
     trial.run(2.0);
     return trial.velocity().x();
@@ -96,30 +86,27 @@ double rolling_speed(FrictionModel model) {
 double sliding_down(FrictionModel model) {
     constexpr double angle = 0.5;
     const Vector3 along = g * std::sin(angle) * Vector3(std::sqrt(0.5), 0, std::sqrt(0.5));
-    Trial trial(model, {.shape = BoxShape{Vector3(1, 0.2, 1)}, .position = Vector3(0, 0.1, 0)}, 0.3,
-                along - g * std::cos(angle) * Vector3::UnitY());
+    SceneDescription scene = on_plane({.shape = BoxShape{Vector3(1, 0.2, 1)}, .position = Vector3(0, 0.1, 0)});
+    scene.gravity = along - g * std::cos(angle) * Vector3::UnitY();
+    Trial trial(model, scene, 0.3);
     trial.run(1.0);
     return trial.velocity().norm();
 }
 
 // Whether a flat box 1 m from the axis leaves its place on a turntable.
 bool leaves(FrictionModel model, double friction, double rate) {
-    SceneDescription scene;
-    scene.name = "turntable";
-    scene.gravity = Vector3(0, -g, 0);
-    scene.contacts = true;
-    scene.bodies.push_back(
-        {.name = "table",
-         .shape = BoxShape{Vector3(6, 0.2, 6)},
-         .motion = MotionDescription{.kind = SteadyMotion{.angular_velocity = Vector3(0, rate, 0)}},
-         .position = Vector3(0, -0.1, 0)});
-    scene.bodies.push_back({.name = "body",
-                            .shape = BoxShape{Vector3(0.05, 0.01, 0.05)},
-                            .mass = 1.0,
-                            .position = Vector3(1, 0.005, 0),
-                            .velocity = Vector3(0, 0, -rate),
-                            .angular_velocity = Vector3(0, rate, 0)});
-    Trial trial(model, std::move(scene), friction);
+    const BodyDescription table{
+        .name = "table",
+        .shape = BoxShape{Vector3(6, 0.2, 6)},
+        .motion = MotionDescription{.kind = SteadyMotion{.angular_velocity = Vector3(0, rate, 0)}},
+        .position = Vector3(0, -0.1, 0)};
+    const BodyDescription body{.name = "body",
+                               .shape = BoxShape{Vector3(0.05, 0.01, 0.05)},
+                               .mass = 1.0,
+                               .position = Vector3(1, 0.005, 0),
+                               .velocity = Vector3(0, 0, -rate),
+                               .angular_velocity = Vector3(0, rate, 0)};
+    Trial trial(model, one_on_another("turntable", table, body), friction);
     trial.run(4.0);
     return std::hypot(trial.body().position.x(), trial.body().position.z()) > 1.01;
 }
@@ -143,7 +130,7 @@ double rocking_ratio(FrictionModel model) {
     const Vector3 corner(half_width, 0, 0), centre(0, half_height, 0);
     BodyDescription body{.shape = BoxShape{Vector3(2 * half_width, 2 * half_height, 0.5)}, .orientation = turned};
     body.position = corner + turned * (centre - corner);
-    Trial trial(model, std::move(body), 2.0);
+    Trial trial(model, on_plane(std::move(body)), 2.0);
     // In short steps, because gravity acts on both sides of the impact, which takes two steps: the last in which
     // the gap closes, and the next.
     constexpr double short_dt = 1e-4;
@@ -179,6 +166,27 @@ const std::vector<ClosedForm>& closed_forms() {
          "1 - 1.5 sin^2 a (Housner)", 1.0 - 1.5 * std::sin(slender) * std::sin(slender), rocking_ratio},
     };
     return all;
+}
+
+void add_closed_forms(StudyRun& run) {
+    Table table{
+        {"motion", "formula", "exact", "cone", "square", "paper", "error_cone", "error_square", "error_paper"}};
+    run.begin(closed_forms().size());
+    for (const ClosedForm& form : closed_forms()) {
+        run.stop_if_interrupted();
+        const double cone = form.computed(FrictionModel::cone), square = form.computed(FrictionModel::coulomb),
+                     paper = form.computed(FrictionModel::paper);
+        table.rows.push_back({form.name, form.formula, form.exact, cone, square, paper, std::abs(cone - form.exact),
+                              std::abs(square - form.exact), std::abs(paper - form.exact)});
+        run.count_run();
+    }
+    run.sections.push_back(
+        {"closed-forms", "Motions that are known in closed form",
+         run.tabulated(
+             "closed_forms.csv", table,
+             "Steps of 1 ms (0.1 ms for the rocking block), otherwise default, under each model of "
+             "friction: the round cone, a square of two tangents, and the paper's, whose friction does not "
+             "know the force of its contact.")});
 }
 
 }  // namespace pushfactor::demos::reports::reality

@@ -1,6 +1,5 @@
 #include "demos/reports/reality/toss_fit.h"
 
-#include "demos/reports/reality/statistics.h"
 #include "demos/scenes/random.h"
 #include "demos/text/median.h"
 
@@ -9,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <optional>
 #include <utility>
 
 namespace pushfactor::demos::reports::reality {
@@ -23,10 +24,27 @@ std::vector<double> values(double from, double step, int count) {
 
 constexpr std::size_t fewest = 10;  // tosses, of a mean
 
-void add_error(ErrorsAt& errors, const Toss& toss, const std::vector<Pose>& poses, std::size_t frame) {
-    const PoseError error = between(toss.frames[frame], poses[frame]);
+void add_error(const Pose& measured, const Pose& computed, ErrorsAt& errors) {
+    const PoseError error = between(measured, computed);
     errors.position.push_back(error.position);
     errors.angle.push_back(error.angle);
+}
+
+// The errors at a frame of each toss that `frame_of` gives for a number from 0 on and the contacts of the toss,
+// while there are enough tosses.
+template <typename FrameOf>
+std::vector<ErrorsAt> errors_at(const Tosses& tosses, const Judged& judged, const Law& law,
+                                const FrameOf& frame_of) {
+    std::vector<ErrorsAt> all;
+    while (true) {
+        ErrorsAt errors;
+        for (std::size_t t = 0; t < tosses.size(); ++t) {
+            const std::optional<std::size_t> frame = frame_of(all.size(), tosses[t], bounces(tosses[t], law.board));
+            if (frame) add_error(tosses[t].frames[*frame], judged.poses[t][*frame], errors);
+        }
+        if (errors.position.size() < fewest) return all;
+        all.push_back(std::move(errors));
+    }
 }
 
 // Errors after 0.1 s from measured poses, with and without contact: so far chaos has no say.
@@ -40,11 +58,8 @@ Windows windows_of(const Engine& engine, const Tosses& tosses, const Law& law) {
         const std::vector<std::size_t> contacts = bounces(toss, law.board);
         const std::size_t first = contacts.empty() ? toss.frames.size() : contacts.front();
         for (std::size_t from = 2; from + length < toss.frames.size(); from += length) {
-            const PoseError error =
-                between(toss.frames[from + length], engine(restart(toss, from), law, length + 1).back());
-            ErrorsAt& errors = from + length < first ? found.flight : found.contact;
-            errors.position.push_back(error.position);
-            errors.angle.push_back(error.angle);
+            add_error(toss.frames[from + length], engine(restart(toss, from), law, length + 1).back(),
+                      from + length < first ? found.flight : found.contact);
         }
     }
     return found;
@@ -58,11 +73,10 @@ Tosses half_of(const Tosses& all, std::size_t first, bool quick) {
     return some;
 }
 
-BoardHeight board_of(const Tosses& tosses) {
+Mean board_of(const Tosses& tosses) {
     std::vector<double> heights;
     for (const Toss& toss : tosses) heights.push_back(toss.frames.back().position.y() - 0.5 * edge);
-    const Mean mean = mean_of(heights);
-    return {mean.value, mean.error};
+    return mean_of(heights);
 }
 
 LawGrid law_grid(const Tosses& tosses, bool quick) {
@@ -86,7 +100,7 @@ std::vector<double> errors_with(const Engine& engine, const Tosses& tosses, cons
 LawFit::LawFit(LawGrid grid, std::vector<std::vector<double>> errors)
     : grid_(std::move(grid)), errors_(std::move(errors)) {
     whole_.resize(errors_.front().size() / grid_.restitutions.size());
-    for (std::size_t i = 0; i < whole_.size(); ++i) whole_[i] = i;
+    std::iota(whole_.begin(), whole_.end(), std::size_t{0});
 }
 
 double LawFit::error(std::array<std::size_t, 2> at, const std::vector<std::size_t>& of) const {
@@ -153,34 +167,25 @@ Judged judge(const Engine& engine, const Tosses& tosses, const Law& law) {
 }
 
 std::vector<ErrorsAt> errors_over_time(const Tosses& tosses, const Judged& judged, const Law& law) {
-    std::vector<ErrorsAt> all;
-    for (std::size_t frame = 0; frame <= static_cast<std::size_t>(0.6 * frames_per_second); ++frame) {
-        ErrorsAt errors{.at = static_cast<double>(frame) / frames_per_second, .position = {}, .angle = {}};
-        for (std::size_t t = 0; t < tosses.size(); ++t) {
-            const std::vector<std::size_t> contacts = bounces(tosses[t], law.board);
-            if (contacts.empty() || contacts.front() + frame >= tosses[t].frames.size()) continue;
-            add_error(errors, tosses[t], judged.poses[t], contacts.front() + frame);
-        }
-        if (errors.position.size() < fewest) break;
-        all.push_back(std::move(errors));
-    }
+    constexpr auto longest = static_cast<std::size_t>(0.6 * frames_per_second);
+    const auto frame_of = [](std::size_t since, const Toss& toss,
+                             const std::vector<std::size_t>& contacts) -> std::optional<std::size_t> {
+        if (since > longest || contacts.empty() || contacts.front() + since >= toss.frames.size()) return {};
+        return contacts.front() + since;
+    };
+    std::vector<ErrorsAt> all = errors_at(tosses, judged, law, frame_of);
+    for (std::size_t i = 0; i < all.size(); ++i) all[i].at = static_cast<double>(i) / frames_per_second;
     return all;
 }
 
 std::vector<ErrorsAt> errors_by_bounce(const Tosses& tosses, const Judged& judged, const Law& law) {
-    std::vector<ErrorsAt> all;
-    for (std::size_t bounce = 0;; ++bounce) {
-        ErrorsAt errors{.at = static_cast<double>(bounce + 1), .position = {}, .angle = {}};
-        for (std::size_t t = 0; t < tosses.size(); ++t) {
-            const std::vector<std::size_t> contacts = bounces(tosses[t], law.board);
-            if (bounce >= contacts.size()) continue;
-            const bool last = bounce + 1 == contacts.size();
-            add_error(errors, tosses[t], judged.poses[t],
-                      last ? tosses[t].frames.size() - 1 : contacts[bounce + 1] - 1);
-        }
-        if (errors.position.size() < fewest) break;
-        all.push_back(std::move(errors));
-    }
+    const auto frame_of = [](std::size_t bounce, const Toss& toss,
+                             const std::vector<std::size_t>& contacts) -> std::optional<std::size_t> {
+        if (bounce >= contacts.size()) return {};
+        return (bounce + 1 == contacts.size() ? toss.frames.size() : contacts[bounce + 1]) - 1;
+    };
+    std::vector<ErrorsAt> all = errors_at(tosses, judged, law, frame_of);
+    for (std::size_t i = 0; i < all.size(); ++i) all[i].at = static_cast<double>(i + 1);
     return all;
 }
 

@@ -1,6 +1,7 @@
 // The law of contact with which an engine follows tosses best, and how far it goes on others.
 #pragma once
 
+#include "demos/reports/reality/statistics.h"
 #include "demos/reports/reality/tosses.h"
 
 #include <array>
@@ -19,17 +20,13 @@ using Engine = std::function<std::vector<Pose>(const Restart& start, const Law& 
 // Every other toss is fitted (`first` 0), the others are judged (1); of each half one of five for the quick report.
 Tosses half_of(const Tosses& all, std::size_t first, bool quick);
 
-// Where the cubes of these tosses lie at the end, and its standard deviation, m: the height of the board is
-// measured there best.
-struct BoardHeight {
-    double value = 0.0, error = 0.0;
-};
-BoardHeight board_of(const Tosses& tosses);
+// Where the cubes of these tosses lie at the end, m: the height of the board is measured there best.
+Mean board_of(const Tosses& tosses);
 
 // Values of friction and restitution, evenly spaced, for a board of this height.
 struct LawGrid {
     std::vector<double> frictions, restitutions;
-    BoardHeight board;
+    Mean board;
 };
 LawGrid law_grid(const Tosses& tosses, bool quick);
 
@@ -68,7 +65,7 @@ Judged judge(const Engine& engine, const Tosses& tosses, const Law& law);
 
 struct ErrorsAt {
     double at = 0.0;  // s since the first contact, or which bounce it is after, from 1
-    std::vector<double> position, angle;
+    std::vector<double> position{}, angle{};
 };
 // By frame since the first contact, up to 0.6 s, and just before each next contact, or at the end: while there are
 // ten tosses.

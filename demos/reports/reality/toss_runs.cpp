@@ -1,6 +1,5 @@
-#include "demos/reports/reality/toss_runs.h"
-
-#include "demos/runs/simulation.h"
+// The tosses as this engine computes them.
+#include "demos/reports/reality/sections.h"
 #include "demos/scenes/motions/measured_motion.h"
 
 #include <fmt/format.h>
@@ -12,27 +11,23 @@ namespace {
 using engine::Vector3;
 
 SceneDescription scene_from(const Restart& start, const Law& law) {
-    SceneDescription scene;
-    scene.name = "toss";
-    scene.gravity = Vector3(0, -9.81, 0);
-    scene.contacts = true;
-    scene.bodies.push_back({.name = "board",
-                            .shape = PlaneShape{},
-                            .position = Vector3(0, law.board, 0),
-                            .friction = law.friction,
-                            .restitution = law.restitution});
-    scene.bodies.push_back({.name = "cube",
-                            .shape = BoxShape{Vector3::Constant(edge)},
-                            .mass = mass,
-                            .moments = Vector3::Constant(moment_of_inertia),
-                            .position = start.pose.position,
-                            .orientation = start.pose.orientation,
-                            .velocity = start.velocity,
-                            .angular_velocity = start.angular_velocity,
-                            .friction = law.friction,
-                            .restitution = law.restitution,
-                            .colour = "blue"});
-    return scene;
+    return one_on_another("toss",
+                          {.name = "board",
+                           .shape = PlaneShape{},
+                           .position = Vector3(0, law.board, 0),
+                           .friction = law.friction,
+                           .restitution = law.restitution},
+                          {.name = "cube",
+                           .shape = BoxShape{Vector3::Constant(edge)},
+                           .mass = mass,
+                           .moments = Vector3::Constant(moment_of_inertia),
+                           .position = start.pose.position,
+                           .orientation = start.pose.orientation,
+                           .velocity = start.velocity,
+                           .angular_velocity = start.angular_velocity,
+                           .friction = law.friction,
+                           .restitution = law.restitution,
+                           .colour = "blue"});
 }
 
 }  // namespace

@@ -3,11 +3,9 @@
 #include "demos/figures/plot.h"
 #include "demos/platform/assets.h"
 #include "demos/platform/output_file.h"
-#include "demos/reports/pieces/replay_run.h"
+#include "demos/reports/pieces/piece.h"
 #include "demos/reports/reality/sections.h"
-#include "demos/reports/reality/statistics.h"
 #include "demos/reports/reality/toss_fit.h"
-#include "demos/reports/reality/toss_runs.h"
 #include "demos/scenes/scene_file.h"
 #include "demos/text/csv.h"
 #include "demos/text/median.h"
@@ -108,14 +106,10 @@ void add_bounces(StudyRun& run, const std::vector<ErrorsAt>& bounces) {
         const Mean place = mean_of(errors.position), turn = mean_of(errors.angle);
         table.rows.push_back({errors.at, errors.position.size(), place.value, place.error, turn.value, turn.error});
     }
-    run.write("toss_bounces.csv", table);
-    SectionContent content;
-    content.table = page_lines(table);
-    content.files = {"toss_bounces.csv"};
-    content.caption =
-        "Errors just before the next contact, or at the end: position in edges, with one standard deviation of the "
-        "mean.";
-    run.sections.push_back({"bounces", "Tosses after each bounce", content});
+    run.sections.push_back({"bounces", "Tosses after each bounce",
+                            run.tabulated("toss_bounces.csv", table,
+                                          "Errors just before the next contact, or at the end: position in edges, "
+                                          "with one standard deviation of the mean.")});
 }
 
 // The errors of the fitted tosses over friction and restitution.

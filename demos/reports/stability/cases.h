@@ -5,6 +5,7 @@
 #include "demos/options/named_run.h"
 #include "demos/scenes/scene_description.h"
 
+#include <array>
 #include <optional>
 #include <string>
 #include <variant>
@@ -48,6 +49,13 @@ struct Case {
     const SceneDescription* own() const { return std::get_if<SceneDescription>(&scene); }
 };
 
+// Engine steps of 1/60 s, and 16 in each; the quick report has only the first.
+struct Steps {
+    double dt;  // s, of an engine step
+    const char *suffix, *substeps;
+};
+inline constexpr std::array both_steps{Steps{1.0 / 60.0, "", "1"}, Steps{1.0 / 960.0, "-16-substeps", "16"}};
+
 // Related cases under one heading of the page.
 struct Chapter {
     std::string name;     // of its picture, and of --only
@@ -59,18 +67,11 @@ struct Chapter {
              const std::string& wanted, const Checks& checks, const Expectations& expected, bool quick = false) {
         cases.push_back({case_name, scene, options, wanted, checks, expected, quick});
     }
-
-    // Adds two cases, at 60 Hz and with 16 engine steps per step. `checks` and `expected` may depend on the length
-    // of an engine step [s]; the quick report has only 60 Hz.
-    template <typename MakeChecks, typename MakeExpected>
-    void add_at_both_steps(const std::string& case_name, const SceneDescription& scene, const std::string& seconds,
-                           const std::string& wanted, const MakeChecks& checks, const MakeExpected& expected,
-                           bool quick = false) {
-        constexpr double step = 1.0 / 60.0;
-        add(case_name, scene, {{"seconds", seconds}, {"substeps", "1"}}, wanted, checks(step), expected(step),
-            quick);
-        add(case_name + "-16-substeps", scene, {{"seconds", seconds}, {"substeps", "16"}}, wanted,
-            checks(step / 16.0), expected(step / 16.0));
+    void add(const Steps& steps, const std::string& case_name, const SceneDescription& scene,
+             const std::string& seconds, const std::string& wanted, const Checks& checks,
+             const Expectations& expected, bool quick = false) {
+        add(case_name + steps.suffix, scene, {{"seconds", seconds}, {"substeps", steps.substeps}}, wanted, checks,
+            expected, quick && steps.dt == both_steps[0].dt);
     }
 };
 
@@ -93,10 +94,12 @@ inline Expectations settling(const std::string& outcome, const Reached& reached)
 }
 
 // The chapters of each source file.
-std::vector<Chapter> standing_chapters();   // towers, cubes of all sizes, overlaps, cards and planks, structures
+std::vector<Chapter> standing_chapters();   // towers, cubes of all sizes, overlaps
+std::vector<Chapter> thin_chapters();       // cards, planks and rods
 std::vector<Chapter> structure_chapters();  // members of the families
 std::vector<Chapter> motion_chapters();     // fast, rotating and bouncing bodies
-std::vector<Chapter> sliding_chapters();    // friction, and floors of flush boxes
+std::vector<Chapter> sliding_chapters();    // friction
+std::vector<Chapter> seam_chapters();       // floors of flush boxes
 std::vector<Chapter> bar_chapters();        // bars, and scenes with little or nothing in them
 
 // All chapters in page order; for `quick` only quick cases and their chapters.

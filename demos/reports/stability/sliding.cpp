@@ -1,11 +1,13 @@
-// Cases of sliding, rolling and static friction, of hovering bodies without friction, and floors of flush boxes.
+// Cases of sliding, rolling and static friction, and of hovering bodies without friction.
+#include "demos/reports/stability/bodies.h"
 #include "demos/reports/stability/cases.h"
-#include "demos/reports/stability/measures/slab_slide.h"
-#include "demos/reports/stability/scenes/scenes.h"
+#include "demos/reports/stability/scenes.h"
+#include "demos/reports/stability/slab_slide.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
+#include <numbers>
 
 namespace pushfactor::demos::reports::stability {
 
@@ -19,13 +21,45 @@ const Check straight_on{"sideways_m", 1e-6};
 const Check no_spin{"vertical_spin_rad_per_s", 1e-6};
 const Check not_turned{"turned_rad", 1e-6};
 
-// Checks that do not depend on the step.
-auto always(const Checks& checks) {
-    return [checks](double) { return checks; };
+constexpr int count = 16;
+constexpr double ring = 4.5;  // m, radius
+
+double direction(int i) {
+    return 2.0 * std::numbers::pi * i / count;
 }
 
-auto both(const std::string& outcome) {
-    return [outcome](double) { return of_both(outcome); };
+// The ground is level, and gravity is inclined by `angle` towards +x.
+SceneDescription on_slope(const std::string& name, std::vector<BodyDescription> bodies, double height,
+                          double angle) {
+    bodies.insert(bodies.begin(), ground());
+    SceneDescription scene = touching(name, std::move(bodies), height);
+    scene.gravity = usual_gravity * Vector3(elementary::sin(angle), -elementary::cos(angle), 0);
+    return scene;
+}
+
+// Cubes, each turned by a different angle about the normal of the slope, friction 0.5.
+SceneDescription cubes_on_slope(double angle) {
+    std::vector<BodyDescription> cubes;
+    for (const double turn : {0.0, 0.2, 0.4, 0.25 * std::numbers::pi, 1.0, 1.3}) {
+        const auto i = static_cast<int>(cubes.size());
+        cubes.push_back(cube(i, {0, 0.5, 1.6 * static_cast<double>(i) - 4.0}));
+        cubes.back().orientation = turned(turn);
+    }
+    return on_slope("slope", cubes, 0.6, angle);
+}
+
+// Balls of radius 0.5 m, of 1 kg and of 10 kg, at rest, and where `across` is not zero one that begins to roll
+// across the slope at that speed.
+SceneDescription balls_on_slope(double angle, double across) {
+    std::vector<BodyDescription> balls{ball(0.5, {0, 0.5, 0}), ball(0.5, {0, 0.5, 2})};
+    balls.back().name = "heavy ball";
+    balls.back().mass = 10.0;
+    if (across != 0.0) {
+        balls.push_back(ball(0.5, {0, 0.5, -2}, {0, 0, -across}));
+        balls.back().name = "ball across";
+        balls.back().angular_velocity = rolling(balls.back().velocity, 0.5);
+    }
+    return on_slope("balls-on-slope", balls, 0.5, angle);
 }
 
 Chapter slopes() {
@@ -40,25 +74,38 @@ Chapter slopes() {
         const double sliding = sliding_on(angle);
         const bool slides = sliding > 0.0;
         const std::string outcome = slides ? "moving" : "rest";
-        chapter.add_at_both_steps(
-            fmt::format("slope-{}-rad", angle), slope(angle), "3", outcome,
-            always({{"acceleration_m_per_s2", 1e-6, slides ? sliding : 0.0}, no_spin}),
-            [&](double step) {
-                return settling(outcome, {{}, slides ? std::optional(seat / step) : std::nullopt});
-            },
-            angle == 0.6);
+        for (const Steps& steps : both_steps) {
+            chapter.add(steps, fmt::format("slope-{}-rad", angle), cubes_on_slope(angle), "3", outcome,
+                        {{"acceleration_m_per_s2", 1e-6, slides ? sliding : 0.0}, no_spin},
+                        settling(outcome, {{}, slides ? std::optional(seat / steps.dt) : std::nullopt}),
+                        angle == 0.6);
+        }
     }
-    chapter.add_at_both_steps("slope-0.45-rad-60-s", slope(0.45), "70", "rest",
-                              always({{"drift_after_10_s_m", 1e-9}, no_spin}), both("rest"));
+    for (const Steps& steps : both_steps) {
+        chapter.add(steps, "slope-0.45-rad-60-s", cubes_on_slope(0.45), "70", "rest",
+                    {{"drift_after_10_s_m", 1e-9}, no_spin}, of_both("rest"));
+    }
     for (const double angle : {0.6, 1.0, 1.2}) {
         const bool slips = std::tan(angle) > 3.5 * friction;
         const double rolling = 5.0 / 7.0 * usual_gravity * std::sin(angle);
-        chapter.add_at_both_steps(fmt::format("balls-on-slope-{}-rad", angle),
-                                  balls_on_slope(angle, slips ? 0.0 : 2.0), "1", "moving",
-                                  always({{"acceleration_m_per_s2", 1e-6, slips ? sliding_on(angle) : rolling}}),
-                                  both("moving"), angle == 1.0);
+        for (const Steps& steps : both_steps) {
+            chapter.add(steps, fmt::format("balls-on-slope-{}-rad", angle),
+                        balls_on_slope(angle, slips ? 0.0 : 2.0), "1", "moving",
+                        {{"acceleration_m_per_s2", 1e-6, slips ? sliding_on(angle) : rolling}}, of_both("moving"),
+                        angle == 1.0);
+        }
     }
     return chapter;
+}
+
+// 16 cubes in a grid that slide in the same direction, each turned by a different angle about the vertical.
+SceneDescription cubes_turned_16_ways(double speed, double friction) {
+    SceneDescription scene = touching("cubes-turned-16-ways", {ground()}, 0.8);
+    for (int i = 0; i < count; ++i) {
+        scene.bodies.push_back(cube(i, {4.0 * (i % 4) - 6.0, 0.5, 2.0 * std::floor(i / 4) - 3.0}, {speed, 0, 0}));
+        scene.bodies.back().orientation = turned(0.25 * direction(i));
+    }
+    return with_friction(scene, friction);
 }
 
 Chapter directions() {
@@ -69,15 +116,11 @@ Chapter directions() {
                     "Cubes that slide at 3 m/s in 16 directions relative to their edges, friction 0.3: v^2 / (2 mu "
                     "g) straight on, without turning"};
     const auto add = [&chapter](const std::string& name, const SceneDescription& scene, bool quick = false) {
-        chapter.add_at_both_steps(
-            name, scene, "3", "rest",
-            [](double step) -> Checks {
-                return {{"slide_m", first_order * speed * step, way}, straight_on, no_spin, not_turned};
-            },
-            [](double step) {
-                return settling("rest", {{}, seat, seat / step, seat});
-            },
-            quick);
+        for (const Steps& steps : both_steps) {
+            chapter.add(steps, name, scene, "3", "rest",
+                        {{"slide_m", first_order * speed * steps.dt, way}, straight_on, no_spin, not_turned},
+                        settling("rest", {{}, seat, seat / steps.dt, seat}), quick);
+        }
     };
     add("cone-16-directions", cubes_in_16_directions(speed, friction, false), true);
     add("cone-16-directions-on-a-box", cubes_in_16_directions(speed, friction, true));
@@ -94,16 +137,34 @@ Chapter slab() {
                     "quadrature says at any step"};
     // First order: half a step at the first speed. exact has a square instead of the cone, whose second tangent
     // slows a spinning body too much.
-    chapter.add_at_both_steps(
-        "spinning-slab", spinning_slab(speed, spin, Slab{}.friction), "4", "rest",
-        [&](double step) -> Checks {
-            return {{"slide_m", 0.01 * way + 0.5 * speed * step, way}};
-        },
-        [](double) -> Expectations {
-            return {{"default", "rest"}, {"exact", "rest", {1.0}}};
-        },
-        true);
+    for (const Steps& steps : both_steps) {
+        chapter.add(steps, "spinning-slab", spinning_slab(speed, spin, Slab{}.friction), "4", "rest",
+                    {{"slide_m", 0.01 * way + 0.5 * speed * steps.dt, way}},
+                    {{"default", "rest"}, {"exact", "rest", {1.0}}}, true);
+    }
     return chapter;
+}
+
+// 16 balls of radius 0.5 m in a ring that slide outwards without turning.
+SceneDescription balls_in_16_directions(double speed, double friction) {
+    SceneDescription scene = touching("balls-16-directions", {ground()}, 0.8);
+    for (int i = 0; i < count; ++i) {
+        scene.bodies.push_back(
+            ball(0.5, along(direction(i), ring) + Vector3(0, 0.5, 0), along(direction(i), speed)));
+        scene.bodies.back().name += " " + std::to_string(i + 1);
+    }
+    return with_friction(scene, friction);
+}
+
+// Cubes that turn on the spot about the vertical, some one way and some the other.
+SceneDescription spinning_cubes(double spin, double friction) {
+    SceneDescription scene = touching("spinning-cubes", {ground()}, 0.5);
+    for (int i = 0; i < 4; ++i) {
+        scene.bodies.push_back(cube(i, {2.0 * i - 3.0, 0.5, 0}));
+        scene.bodies.back().orientation = turned(0.35 * i);
+        scene.bodies.back().angular_velocity = {0, i % 2 == 0 ? spin : -spin, 0};
+    }
+    return with_friction(scene, friction);
 }
 
 Chapter rolls() {
@@ -117,81 +178,64 @@ Chapter rolls() {
     Chapter chapter{"rolling",
                     "Balls that slide in 16 directions begin to roll at 5/7 of their speed; cubes that turn on the "
                     "spot stop after w^2 / (2 mu g r / I)"};
-    chapter.add_at_both_steps(
-        "balls-16-directions", balls_in_16_directions(speed, friction), "1", "moving",
-        [](double step) -> Checks {
-            return {
-                {"last_speed_m_per_s", 1e-6, rolls_at}, {"slide_m", first_order * speed * step, way}, straight_on};
-        },
-        both("moving"), true);
+    for (const Steps& steps : both_steps) {
+        chapter.add(
+            steps, "balls-16-directions", balls_in_16_directions(speed, friction), "1", "moving",
+            {{"last_speed_m_per_s", 1e-6, rolls_at}, {"slide_m", first_order * speed * steps.dt, way}, straight_on},
+            of_both("moving"), true);
+    }
     constexpr double spin = 10.0;  // rad/s
     // Friction at the corners, sqrt(2) / 2 m from the axis, over the moment of inertia, both of 1 kg.
     const double slowing = friction * usual_gravity * std::sqrt(0.5) * 6.0;  // rad/s^2
-    chapter.add_at_both_steps(
-        "spinning-cubes", spinning_cubes(spin, friction), "3", "rest",
-        [&](double step) -> Checks {
-            return {{"turned_rad", first_order * spin * step, spin * spin / (2.0 * slowing)}, {"farthest_m", 1e-6}};
-        },
-        [](double) {
-            return settling("rest", {{}, seat});
-        },
-        true);
+    for (const Steps& steps : both_steps) {
+        chapter.add(
+            steps, "spinning-cubes", spinning_cubes(spin, friction), "3", "rest",
+            {{"turned_rad", first_order * spin * steps.dt, spin * spin / (2.0 * slowing)}, {"farthest_m", 1e-6}},
+            settling("rest", {{}, seat}), true);
+    }
     return chapter;
 }
 
 Chapter hovering() {
     Chapter chapter{"hovering",
                     "Cubes 1 and 5 mm above a plane whose weight a force holds: nothing slows or turns them"};
-    chapter.add_at_both_steps("hovering-cubes", hovering_cubes(), "5", "moving",
-                              always({{"deflection_m_per_s", 1e-12}, {"spin_rad_per_s", 1e-12}}), both("moving"),
-                              true);
-    return chapter;
-}
-
-void add_rides(Chapter& chapter, double speed, const std::string& seconds, const std::string& outcome) {
-    for (const double uneven : {0.0, 0.0005}) {
-        for (const double angle : {0.0, 0.4}) {
-            chapter.add_at_both_steps(
-                fmt::format("seams-{}-{}-m-per-s-{}-rad", uneven == 0.0 ? "flush" : "uneven", speed, angle),
-                seam_floor({.speed = speed, .angle = angle, .uneven = uneven}), seconds, outcome,
-                always({{"twin_distance_m", 1e-6}, {"twin_velocity_m_per_s", 1e-6}}),
-                [&](double step) {
-                    return settling(outcome, {1.5 * seat, 1.5 * seat / step});
-                },
-                speed == 4.0 && uneven == 0.0);
-        }
+    SceneDescription scene = touching("hovering-cubes", {ground()}, 0.5);
+    for (int i = 0; i < 4; ++i) {
+        const double gap = i == 3 ? 0.001 : 0.005;  // m
+        // Away from each other.
+        const BodyDescription one = cube(i, {0, 0.5 + gap, 1.6 * i - 2.4}, along(-0.3 * i, 1.0));
+        scene.forces.push_back({.body = one.name, .force = -*one.mass * scene.gravity});
+        scene.bodies.push_back(one);
     }
-}
-
-Chapter seams() {
-    Chapter chapter{"seams",
-                    "Cubes, planks and balls on flush boxes, also with every other box 0.5 mm lower: as on a "
-                    "single box; but walls and steps stop them"};
-    add_rides(chapter, 0.1, "3", "creep");  // 0.1 m/s counts as creeping
-    add_rides(chapter, 4.0, "0.8", "moving");
-    add_rides(chapter, 50.0, "0.067", "moving");
-    constexpr double slop = 0.002;  // m, of a cube of 1 m
-    const auto add_stop = [&chapter](const std::string& name, const SceneDescription& scene, double beyond) {
-        chapter.add_at_both_steps(
-            name, scene, "4", "rest", always({{"farthest_m", beyond, way_to_stop}}),
-            [&](double step) -> Expectations {
-                // With short steps default keeps a speed of a tenth of `seat` per step, which nothing removes.
-                return {{"default", step < 0.01 && beyond == slop ? "creep" : "rest"}, {"exact", "rest"}};
-            },
-            name == "cube-stopped-by-step");
-    };
-    add_stop("cube-stopped-by-wall", stopped_by_wall(4.0), slop);
-    add_stop("slab-stopped-by-step", slab_stopped_by_step(4.0), slop);
-    // At the step it has 1 m/s left. It tips about the edge with 0.73 rad/s, to 0.033 rad, and its centre goes on
-    // by 0.015 m.
-    add_stop("cube-stopped-by-step", cube_stopped_by_step(2.0), 0.02);
+    for (const Steps& steps : both_steps) {
+        chapter.add(steps, "hovering-cubes", scene, "5", "moving",
+                    {{"deflection_m_per_s", 1e-12}, {"spin_rad_per_s", 1e-12}}, of_both("moving"), true);
+    }
     return chapter;
 }
 
 }  // namespace
 
+SceneDescription cubes_in_16_directions(double speed, double friction, bool on_box) {
+    SceneDescription scene = touching("cone-16-directions", {ground()}, 0.8);
+    if (on_box) scene.bodies = {wall("ground", {16, 0.5, 16}, {0, -0.25, 0})};
+    for (int i = 0; i < count; ++i) {
+        const Vector3 place = along(direction(i), ring) + Vector3(0, 0.5, 0);
+        scene.bodies.push_back(cube(i, place, along(direction(i), speed)));
+    }
+    return with_friction(scene, friction);
+}
+
+SceneDescription spinning_slab(double speed, double spin, double friction) {
+    BodyDescription slab = box("slab", {1, 0.2, 1}, {0, 0.1, 0}, {speed, 0, 0});
+    slab.angular_velocity = {0, spin, 0};
+    SceneDescription scene = touching("spinning-slab", {ground(), slab}, 0.6);
+    scene.gravity = {0, -9.81, 0};
+    return with_friction(scene, friction);
+}
+
 std::vector<Chapter> sliding_chapters() {
-    return {slopes(), directions(), slab(), rolls(), hovering(), seams()};
+    return {slopes(), directions(), slab(), rolls(), hovering()};
 }
 
 }  // namespace pushfactor::demos::reports::stability

@@ -3,7 +3,7 @@
 #include "demos/platform/child_process.h"
 #include "demos/platform/output_file.h"
 #include "demos/reports/pieces/piece.h"
-#include "demos/reports/stability/measures/measures.h"
+#include "demos/reports/stability/measures.h"
 #include "demos/scenes/scene_file.h"
 #include "demos/text/errors.h"
 #include "demos/text/json_file.h"
@@ -53,8 +53,7 @@ Trial::Trial(const Case& one, const Expected& expected, const fs::path& folder)
     command_ = command_text("run", scene_, options_);
     for (const Check& check : one.checks) {
         const std::string output = output_for(check.measure);
-        if (!output.empty() && std::find(outputs_.begin(), outputs_.end(), output) == outputs_.end())
-            outputs_.push_back(output);
+        if (!output.empty() && std::ranges::find(outputs_, output) == outputs_.end()) outputs_.push_back(output);
     }
     for (const std::string& output : outputs_) command_ += " --" + output + " " + output + ".csv";
 }
@@ -114,10 +113,6 @@ Json Trial::measured(bool ended) const {
     return result;
 }
 
-fs::path Trial::state() const {
-    return file("-state.json");
-}
-
 Verdict Trial::judge(const Check& check, std::size_t index, const std::vector<double>& values) const {
     const auto& [preset, outcome, reached] = expected_;
     Verdict verdict{.check = &check, .value = worst(check, values), .met = false, .holds = false};
@@ -146,7 +141,7 @@ void Trial::judge(const Json& result) {
 }
 
 bool Trial::holds() const {
-    return std::all_of(verdicts_.begin(), verdicts_.end(), [](const Verdict& verdict) { return verdict.holds; });
+    return std::ranges::all_of(verdicts_, &Verdict::holds);
 }
 
 void write_scenes(const std::vector<Chapter>& chapters, const fs::path& folder) {

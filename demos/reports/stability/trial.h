@@ -51,7 +51,7 @@ class Trial {
     std::string replay() const { return "runs/" + name() + ".html"; }
 
     // Scene file of the last state; missing if the run failed.
-    std::filesystem::path state() const;
+    std::filesystem::path state() const { return file("-state.json"); }
 
   private:
     // Of the run, relative to the folder and in it.

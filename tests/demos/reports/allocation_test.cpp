@@ -1,5 +1,5 @@
 // Allocations: they are counted, and settled steps make none.
-#include "demos/reports/cost/ledger.h"
+#include "demos/reports/cost/cost.h"
 #include "engine/base/math.h"
 #include "tests/catch.h"
 #include "tests/demos/runs/allocations.h"

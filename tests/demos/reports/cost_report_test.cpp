@@ -1,7 +1,6 @@
 // The cost report: all files, the same counts twice; and the ledger of the wave.
 #include "demos/options/named_run.h"
-#include "demos/reports/cost/ledger.h"
-#include "demos/reports/cost/neighbours.h"
+#include "demos/reports/cost/cost.h"
 #include "tests/catch.h"
 #include "tests/demos/csv.h"
 #include "tests/demos/pages/check_page.h"

@@ -1,6 +1,5 @@
 // Maps of one's own: `report atlas --grid`.
-#include "demos/reports/atlas/grid.h"
-
+#include "demos/reports/atlas/atlas.h"
 #include "demos/text/json.h"
 #include "tests/catch.h"
 #include "tests/demos/csv.h"

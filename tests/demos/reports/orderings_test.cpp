@@ -23,14 +23,14 @@ struct Cost {
 Cost cost_of(const std::string& scene, const OptionTexts& options, const MakeTrueError& make) {
     const Choices choices = run_of(scene, options);
     Simulation run(choices);
-    const auto error = make(run);
+    TrueError error = make(run);
     Cost cost;
     while (run.sample().step < whole_steps(choices.settings)) {
         run.advance();
-        error->observe(run);
+        error.observe(run);
         cost.work += run.sample().count.multiply_adds;
     }
-    cost.error = error->result().front().value;
+    cost.error = error.result().front().value;
     return cost;
 }
 

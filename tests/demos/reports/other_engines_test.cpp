@@ -1,7 +1,5 @@
 // Other engines beside our methods on the page of report error.
-#include "demos/reports/error/other_engines.h"
-
-#include "demos/pages/table.h"
+#include "demos/reports/error/points.h"
 #include "tests/catch.h"
 #include "tests/demos/program.h"
 

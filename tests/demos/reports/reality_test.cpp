@@ -1,12 +1,8 @@
 // The report on measured motion: closed forms, the measured tosses, what symmetry says of dice, and its files.
 #include "demos/platform/assets.h"
-#include "demos/reports/reality/closed_forms.h"
-#include "demos/reports/reality/dice.h"
 #include "demos/reports/reality/measured_file.h"
-#include "demos/reports/reality/packing.h"
-#include "demos/reports/reality/statistics.h"
+#include "demos/reports/reality/sections.h"
 #include "demos/reports/reality/toss_fit.h"
-#include "demos/reports/reality/toss_runs.h"
 #include "demos/scenes/scene_file.h"
 #include "demos/text/errors.h"
 #include "tests/catch.h"
@@ -118,10 +114,10 @@ TEST_CASE("measured packings are those of spheres and the five regular solids") 
 
 TEST_CASE("shaking packs spheres closer than pouring, and neither more than any packing can") {
     const Packing spheres = packed("sphere", {.width = 6.0, .bodies = 300, .friction = 0.5, .shakes = 20}, [] {});
-    CHECK(spheres.loose > 0.5);
-    CHECK(spheres.dense > spheres.loose);
-    CHECK(spheres.dense < std::numbers::pi / std::sqrt(18.0));
-    CHECK(spheres.loose_error < 0.03);
+    CHECK(spheres.loose.value > 0.5);
+    CHECK(spheres.dense.value > spheres.loose.value);
+    CHECK(spheres.dense.value < std::numbers::pi / std::sqrt(18.0));
+    CHECK(spheres.loose.error < 0.03);
 }
 
 TEST_CASE("confidence of a share is that of Wilson's paper, and the error of a mean that of its textbook") {

@@ -22,13 +22,13 @@ namespace {
 std::map<std::string, double> errors_of(const std::string& scene, const OptionTexts& options, MakeTrueError make) {
     const Choices choices = run_of(scene, options);
     Simulation run(choices);
-    const auto error = make(run);
+    TrueError error = make(run);
     while (run.sample().step < whole_steps(choices.settings)) {
         run.advance();
-        error->observe(run);
+        error.observe(run);
     }
     std::map<std::string, double> errors;
-    for (const NamedError& each : error->result()) errors[each.name] = each.value;
+    for (const NamedError& each : error.result()) errors[each.name] = each.value;
     return errors;
 }
 
@@ -59,11 +59,11 @@ TEST_CASE("the force error is zero for the converged forces and known for pertur
     CHECK(!force_error(system, exact, engine::Columns::Zero(3, 1)));
 }
 
-TEST_CASE("the converged solver finds the weights of a column, and of scenes all forces to 1e-10 m/s") {
+TEST_CASE("the converged forces are the weights of a column, and of scenes all forces to 1e-10 m/s") {
     const tests::Column column(10);
     engine::SystemEquation system;
     build_system(column.bodies, column.rows, 1.0 / 60.0, system);
-    const auto forces = ConvergedSolver().solve(system, engine::Columns::Zero(10, 1));
+    const auto forces = converged_forces(system, engine::Columns::Zero(10, 1));
     REQUIRE(forces);
     for (int i = 0; i < 10; ++i) CHECK((*forces)(i, 0) == Approx(weight_above(i, 10, 1.0, 10.0)).epsilon(1e-9));
 
@@ -80,7 +80,7 @@ TEST_CASE("the converged solver finds the weights of a column, and of scenes all
             run.advance();
             if (step < first) continue;
             const engine::World& world = run.scene().world;
-            const auto converged = ConvergedSolver().solve(world.system(), world.lambda());
+            const auto converged = converged_forces(world.system(), world.lambda());
             REQUIRE(converged);
             CHECK(natural_residual(world.system(), *converged) <= 1e-10);
         }

@@ -2,7 +2,6 @@
 
 #include "demos/figures/plot.h"
 #include "demos/platform/plain_name.h"
-#include "demos/reports/about.h"
 #include "demos/reports/study.h"
 #include "tests/peers/problems/profiles.h"
 
@@ -156,7 +155,7 @@ void report_problems(const std::vector<ContactProblem>& problems, bool quick, Ot
     const demos::reports::Study study{
         .name = "problems", .title = "contact problems", .parts = {}, .make = nullptr};
     StudyRun run(study, {.folder = folder, .quick = quick});
-    run.write("about.json", demos::reports::about_json(demos::reports::about_this()));
+    run.write("about.json", demos::reports::about_json());
     run.begin(problems.size());
     std::vector<ProblemPoint> all;
     for (const ContactProblem& problem : problems) {

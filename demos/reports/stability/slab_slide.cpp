@@ -1,4 +1,4 @@
-#include "demos/reports/stability/measures/slab_slide.h"
+#include "demos/reports/stability/slab_slide.h"
 
 #include "engine/base/math.h"
 

@@ -1,17 +1,50 @@
-// The ledger of a scene: work and time of its steps.
+// What the report on cost measures: scenes, the ledger of each (work and time of its steps), the same scenes with
+// every part added, and scenes side by side.
 #pragma once
 
-#include "demos/options/choices.h"
-#include "demos/reports/cost/scenes.h"
+#include "demos/options/named_run.h"
+#include "demos/platform/cpu_clock.h"
+#include "demos/runs/scene.h"
 #include "demos/runs/step_division.h"
 
 #include <array>
 #include <functional>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
 namespace pushfactor::demos::reports::cost {
+
+struct CostCase {
+    std::string name;     // "funnel of 200, falling"
+    std::string scene;    // of the catalogue
+    OptionTexts options;  // of the command line
+    double start = 0.0;   // s, simulated, when counting begins
+};
+
+std::vector<CostCase> cost_cases(bool quick);  // `quick`: the small ones
+
+// The scene of `description`, whose options are spelled out, with
+//
+//   a poke beside gravity, a distance, contacts with friction and restitution, sweep and cache,
+//   the distances pushed for a single frame, so that there are two columns in every step,
+// rules that are evaluated before each step and may divide it.
+//
+// The additions are negligible: forces of 1e-12 N, friction and restitution of 1e-9. Two things do change: bodies
+// that swung through each other now collide, and a length error that is corrected for a single frame leaves no
+// velocity.
+SceneDescription with_everything(SceneDescription scene);
+
+// The parts of a scene by name, without absent ones.
+struct Parts {
+    std::vector<std::string> forces;       // "gravity", "poke"
+    std::vector<std::string> constraints;  // "50 distances", "contacts"
+    std::vector<std::string> contacts;     // of the contact stage: "friction", "restitution", "sweep", "cache"
+    std::vector<std::string> step_rules;   // that may divide a step
+};
+
+Parts parts_of(const BuiltScene& scene, const Settings& settings);
 
 // A scene at the time from which its steps are counted; each build of it takes the same steps.
 struct MeasuredState {
@@ -37,7 +70,7 @@ class PhaseClock : public engine::PhaseObserver {
   public:
     explicit PhaseClock(double cost) : cost_(cost) {}
 
-    void begin();  // right before the rules are evaluated
+    void begin() { last_ = thread_cpu_us(); }  // right before the rules are evaluated
     void rules_ended() { end(0); }
     void phase_ended(engine::Phase stage) override { end(1 + static_cast<std::size_t>(stage)); }
 
@@ -107,6 +140,25 @@ struct Counts {
     double rows() const { return contact_rows + friction_rows + distance_rows + joint_rows; }
 };
 
+// Columns of cost.csv: before those of the islands and after them. Numbers of engine steps are means over these,
+// the others over the steps of the run.
+struct CountColumn {
+    const char* name;
+    double Counts::*value;
+    bool of_engine_steps = false;
+};
+inline constexpr std::array row_columns{CountColumn{"pairs", &Counts::pairs},
+                                        CountColumn{"touches", &Counts::touches},
+                                        CountColumn{"contact_rows", &Counts::contact_rows, true},
+                                        CountColumn{"friction_rows", &Counts::friction_rows, true},
+                                        CountColumn{"distance_rows", &Counts::distance_rows, true},
+                                        CountColumn{"joint_rows", &Counts::joint_rows, true},
+                                        CountColumn{"columns", &Counts::columns, true},
+                                        CountColumn{"substeps", &Counts::substeps}};
+inline constexpr std::array work_columns{
+    CountColumn{"bodies_at_rest", &Counts::at_rest, true}, CountColumn{"sweeps", &Counts::sweeps},
+    CountColumn{"row_updates", &Counts::row_updates}, CountColumn{"multiply_adds", &Counts::multiply_adds}};
+
 struct Times {
     double step = 0.0;              // us, without reading the clock inside
     PhaseTimes stages{};            // us
@@ -128,5 +180,32 @@ double time_of_step(const MeasuredState& moment);
 
 // CPU times of those steps: median over `repeats` passes of the mean per step; and memory of the world.
 Times time_steps(const MeasuredState& moment, int repeats, const std::function<void()>& check);
+
+// Scenes side by side: a world should cost as much as its parts, and move like them.
+// Scenes too far apart to touch, and the simulated time from which their steps are counted.
+struct Neighbours {
+    std::string name;
+    std::vector<SceneDescription> parts;
+    std::vector<int> times;  // number of copies of each part in `together`
+    SceneDescription together;
+    double start = 0.0;  // s
+};
+
+// The list of the report; `quick` takes seconds.
+std::vector<Neighbours> neighbours(bool quick);
+
+struct SumOfParts {
+    std::string name;
+    double islands = 0.0;              // mean per step, together
+    double parts_us = 0.0;             // CPU time per step: the sum of all parts alone
+    double together_us = 0.0;          // and of the common world
+    double ratio = 0.0;                // together / sum: median of several passes, each over all worlds in turn
+    double parts_multiply_adds = 0.0;  // of the solver per step
+    double together_multiply_adds = 0.0;
+    double moved = 0.0;  // m: largest distance of the first part's bodies from where they end alone
+};
+
+// Times the same steps of all worlds `goes` times. Calls `check` often, which may throw.
+SumOfParts measure(const Neighbours& scenes, int goes, const std::function<void()>& check);
 
 }  // namespace pushfactor::demos::reports::cost

@@ -1,0 +1,121 @@
+// The maps of the stability atlas, outcomes of runs over two of their parameters. A cell of a map is a run,
+// coloured by the outcome of its summary, with a number of it.
+#pragma once
+
+#include "demos/pages/page.h"
+#include "demos/reports/study.h"
+#include "demos/runs/measurements.h"
+
+#include <array>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace pushfactor::demos::reports::atlas {
+
+struct AtlasAxis {
+    std::string option;               // the varied option, without dashes
+    std::string label;                // of the axis, with the unit
+    std::vector<std::string> values;  // as on the command line, in ascending order of the shown numbers
+    double scale = 1.0;               // shown number / number of the text
+    bool logarithmic = true;
+    bool names = false;  // values are no numbers; they are shown as 0, 1, 2, ...
+
+    double shown(const std::string& value) const;
+    std::string tick(const std::string& value) const;  // the text of the shown number
+};
+
+// A number of the summary that is shown in each cell.
+struct AtlasMeasure {
+    std::string key;                                  // in the summary
+    std::string words;                                // with the unit
+    double (Measurements::*value)() const = nullptr;  // null: only the summary has it
+};
+
+// A theoretical limit: a line on the map.
+struct AtlasTheory {
+    std::string label;
+    double (*y)(double x);  // both in shown numbers
+};
+
+struct AtlasMap {
+    std::string name;
+    std::string title;
+    std::string caption;
+    std::string scene;   // of the catalogue, or a file
+    OptionTexts common;  // options of all its runs
+    AtlasAxis x, y;
+    AtlasMeasure measure;
+    std::optional<AtlasTheory> theory{};
+    std::string moving = "moving";  // meaning of this outcome here, for the legend
+};
+
+// The maps of the report; `quick`: with the first, the middle and the last value of each axis.
+std::vector<AtlasMap> atlas_maps(bool quick = false);
+
+// A map that people ask for, of any two options or parameters of a scene. Throws UsageError, one line, for what no
+// run accepts and for a measure that the summary lacks.
+AtlasMap grid_map(const GridRequest& request);
+
+struct AtlasCell {
+    const AtlasMap* map;
+    std::string x, y;  // values of the axes
+};
+
+// Cells of a map, row by row from below; and those whose replays were asked for.
+std::vector<AtlasCell> cells_of(const AtlasMap& map);
+std::vector<AtlasCell> cells_with_replay(const AtlasMap& map, const GridRequest& request);
+
+// "pushfactor run ...", the command that reproduces the cell.
+std::string command_of(const AtlasCell& cell);
+
+struct CellResult {
+    std::string outcome;  // of the summary, or "non-finite"
+    double value = 0.0;  // of the map's measure, up to the last finite step; NaN if the summary has no number there
+};
+
+// Throws the exceptions of errors.h except NonFiniteError, and those of `check`, which is called at each step.
+CellResult run_cell(const AtlasCell& cell, const std::function<void()>& check);
+
+// The cell as a piece of the report, and its result as it was stored. The map must outlive the piece.
+Piece piece_of(const AtlasCell& cell);
+CellResult result_in(const Json& json);
+
+// A page that plays the run of the cell, as a piece whose result is its text; and the name of its file.
+Piece replay_piece_of(const AtlasCell& cell);
+std::string replay_file(const AtlasCell& cell);
+
+struct OutcomeLook {
+    std::string_view outcome;
+    std::string_view words;   // for the legend
+    std::string_view colour;  // name in the palette, or #RRGGBB
+    std::string_view ink;     // on that colour
+};
+
+inline constexpr std::string_view non_finite = "non-finite";
+
+// All outcomes of a run, from good to bad. The greys differ in lightness from all colours of the palette.
+inline constexpr std::array outcome_looks{
+    OutcomeLook{"rest", "rest", "green", "#111111"},
+    OutcomeLook{"jitter", "jitter: shakes in place", "ivory", "#222222"},
+    OutcomeLook{"creep", "creep: drifts slowly", "blue", "#ffffff"},
+    OutcomeLook{"moving", "moving", "orange", "#222222"},
+    OutcomeLook{"fall", "fall: came down", "vermilion", "#111111"},
+    OutcomeLook{"torn", "torn: bars gave way", "#555555", "#ffffff"},
+    OutcomeLook{"fly", "fly: was thrown away", "violet", "#ffffff"},
+    OutcomeLook{"tunnel", "tunnel: is in the ground", "#888888", "#111111"},
+    OutcomeLook{non_finite, "non-finite numbers", "#111111", "#ffffff"},
+};
+
+// The map as a picture, one colour per outcome and the measured number in each cell: writes NAME.dat and, where
+// gnuplot is installed, draws it as NAME.png and NAME.svg. `results` are those of cells_of(map), in that order.
+Section atlas_section(const AtlasMap& map, const std::vector<CellResult>& results,
+                      const std::filesystem::path& folder);
+
+// A number short enough for a cell: "0.31", "12", "4e-7", "0".
+std::string short_number(double value);
+
+}  // namespace pushfactor::demos::reports::atlas
