@@ -113,6 +113,24 @@ bool says_of_run(const RunVerdict& verdict) {
 
 }  // namespace
 
+std::vector<std::string> lines_of(const FolderVerdict& folder) {
+    std::vector<std::string> lines;
+    for (const RunVerdict& run : folder.runs) {
+        if (!run.holds) lines.push_back(fmt::format("{}: {}: {}", folder.name, run.subject, run.text));
+    }
+    for (const RunVerdict& run : folder.runs) {
+        if (!run.compared)
+            lines.push_back(fmt::format("{}: {}: not compared: {}", folder.name, run.subject, run.text));
+    }
+    for (const PictureVerdict& picture : folder.pictures) {
+        if (!picture.holds()) lines.push_back(fmt::format("{}/{}: {}", folder.name, picture.name, picture.text));
+    }
+    for (const std::string& name : folder.unexpected) {
+        lines.push_back(fmt::format("{}/{}: unexpected: not a picture of this run", folder.name, name));
+    }
+    return lines;
+}
+
 std::string headline(std::span<const FolderVerdict> folders) {
     long pictures = 0, differ = 0, runs = 0, wrong_runs = 0, skipped = 0;
     for (const FolderVerdict& folder : folders) {

@@ -1,4 +1,4 @@
-// What a check found, as a page for people, and as verdicts.
+// What a check found, as lines and a page for people, and as verdicts.
 #pragma once
 
 #include "demos/checks/verdict.h"
@@ -9,6 +9,9 @@
 #include <vector>
 
 namespace pushfactor::demos::checks {
+
+// "goldens/stack/frame_000001.png: missing", a line per difference, failures first.
+std::vector<std::string> lines_of(const FolderVerdict& folder);
 
 // "3 of 24 pictures and 1 run differ", "24 pictures and 2 runs are as expected".
 std::string headline(std::span<const FolderVerdict> folders);

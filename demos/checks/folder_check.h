@@ -2,7 +2,6 @@
 #pragma once
 
 #include "demos/checks/expectation.h"
-#include "demos/checks/folder_job.h"
 #include "demos/checks/tolerance.h"
 #include "demos/checks/update.h"
 #include "demos/checks/verdict.h"

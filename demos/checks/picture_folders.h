@@ -1,7 +1,6 @@
 // Two folders of pictures that no run of this program has to have made.
 #pragma once
 
-#include "demos/checks/folder_job.h"
 #include "demos/checks/tolerance.h"
 #include "demos/checks/verdict.h"
 

@@ -1,5 +1,6 @@
 #include "demos/checks/tolerance.h"
 
+#include "demos/text/comma_list.h"
 #include "demos/text/numbers.h"
 
 #include <fmt/format.h>
@@ -69,14 +70,12 @@ std::string Tolerance::text() const {
 
 std::optional<std::vector<Limit>> parse_limits(std::string_view text) {
     std::vector<Limit> limits;
-    while (true) {
-        const std::size_t comma = text.find(',');
-        const auto limit = parse_limit(text.substr(0, comma));
+    for (const std::string_view part : parts_of(text)) {
+        const auto limit = parse_limit(part);
         if (!limit) return std::nullopt;
         limits.push_back(*limit);
-        if (comma == std::string_view::npos) return limits;
-        text.remove_prefix(comma + 1);
     }
+    return limits;
 }
 
 Tolerance exactly() {

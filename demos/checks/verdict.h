@@ -1,8 +1,10 @@
-// What a check finds.
+// What a check has to do, and what it finds.
 #pragma once
 
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -47,7 +49,21 @@ struct FolderVerdict {
     }
 };
 
-// "goldens/stack/frame_000001.png: missing", a line per difference, failures first.
-std::vector<std::string> lines_of(const FolderVerdict& folder);
+// What there is to do and where its pictures go.
+struct FolderJob {
+    std::string name;             // of the verdict
+    std::string anchor;           // of the verdict
+    std::filesystem::path pages;  // folder of the page
+    std::function<void(long)> progress = [](long) {};
+};
+
+class Stopwatch {
+  public:
+    double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+
+  private:
+    using Clock = std::chrono::steady_clock;
+    Clock::time_point start_ = Clock::now();
+};
 
 }  // namespace pushfactor::demos::checks

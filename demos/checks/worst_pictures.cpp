@@ -2,10 +2,6 @@
 
 #include "demos/platform/output_file.h"
 
-#include <algorithm>
-#include <functional>
-#include <set>
-
 namespace pushfactor::demos::checks {
 
 namespace {
@@ -37,14 +33,12 @@ WorstPictures::WorstPictures(std::filesystem::path folder) : folder_(std::move(f
 void WorstPictures::offer(const Compared& compared) {
     if (compared.verdict.holds()) return;
     if (kept_.size() >= most) {
-        if (compared.verdict.badness <= kept_.front().first) return;
-        std::pop_heap(kept_.begin(), kept_.end(), std::greater<>());
-        remove(kept_.back().second);
-        kept_.pop_back();
+        if (compared.verdict.badness <= kept_.begin()->first) return;
+        remove(kept_.begin()->second);
+        kept_.erase(kept_.begin());
     }
     write(compared);
-    kept_.emplace_back(compared.verdict.badness, compared.verdict.name);
-    std::push_heap(kept_.begin(), kept_.end(), std::greater<>());
+    kept_.emplace(compared.verdict.badness, compared.verdict.name);
 }
 
 void WorstPictures::mark(std::vector<PictureVerdict>& verdicts) const {

@@ -5,6 +5,7 @@
 #include "demos/text/text_hash.h"
 
 #include <filesystem>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -48,7 +49,7 @@ class WorstPictures {
     void remove(const std::string& name) const;
 
     std::filesystem::path folder_;
-    std::vector<std::pair<double, std::string>> kept_;  // badness and name; a heap with the least bad on top
+    std::set<std::pair<double, std::string>> kept_;  // badness and name
 };
 
 }  // namespace pushfactor::demos::checks

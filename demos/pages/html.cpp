@@ -5,14 +5,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
+#include <functional>
 
 namespace pushfactor::demos::html {
 
 namespace {
 
 bool is_plain(char c) {
-    return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || c == '-' ||
-           c == '.';
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-' || c == '.';
 }
 
 }  // namespace
@@ -20,42 +21,26 @@ bool is_plain(char c) {
 std::string escaped(std::string_view text) {
     std::string result;
     for (const char c : text) {
-        switch (c) {
-            case '&':
-                result += "&amp;";
-                break;
-            case '<':
-                result += "&lt;";
-                break;
-            case '>':
-                result += "&gt;";
-                break;
-            case '"':
-                result += "&quot;";
-                break;
-            default:
-                result += c;
-        }
+        result += c == '&'   ? "&amp;"
+                  : c == '<' ? "&lt;"
+                  : c == '>' ? "&gt;"
+                  : c == '"' ? "&quot;"
+                             : std::string(1, c);
     }
     return result;
 }
 
 std::string anchor(std::string_view name) {
     std::string result(name);
-    std::replace_if(
-        result.begin(), result.end(), [](char c) { return !is_plain(c); }, '-');
+    std::ranges::replace_if(result, std::not_fn(is_plain), '-');
     return result;
 }
 
 std::string link_to(std::string_view file) {
     std::string result;
-    for (const char c : file) {
-        if (is_plain(c) || c == '/') {
-            result += c;
-        } else {
-            result += fmt::format("%{:02X}", static_cast<unsigned>(static_cast<unsigned char>(c)));
-        }
-    }
+    for (const char c : file)
+        result +=
+            is_plain(c) || c == '/' ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
     return result;
 }
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <regex>
 
 namespace pushfactor::demos {
 
@@ -22,38 +23,21 @@ bool is_wordy(char c) {
     return is_digit(c) || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
 }
 
-// A number in its parts.
+// A number in its parts: "-", "12", ".50", "e+07".
 struct Token {
-    std::string_view sign, whole, fraction, exponent;  // "-", "12", ".50", "e+07"
+    std::string sign, whole, fraction, exponent;
 
     std::size_t size() const { return sign.size() + whole.size() + fraction.size() + exponent.size(); }
-    std::string mantissa() const { return std::string(whole) + std::string(fraction); }
+    std::string mantissa() const { return whole + fraction; }
 };
 
-std::size_t digits_at(std::string_view text, std::size_t at) {
-    std::size_t end = at;
-    while (end < text.size() && is_digit(text[end])) ++end;
-    return end - at;
-}
-
-// The number that begins at `at` with a digit or a minus; its whole part is empty if there is none.
+// The number that begins at `at`; its whole part is empty if there is none.
 Token token_at(std::string_view text, std::size_t at) {
-    Token token;
-    std::size_t end = at;
-    if (text[end] == '-') token.sign = text.substr(end++, 1);
-    token.whole = text.substr(end, digits_at(text, end));
-    if (token.whole.empty()) return token;
-    end += token.whole.size();
-    if (end < text.size() && text[end] == '.') {
-        if (const std::size_t digits = digits_at(text, end + 1)) token.fraction = text.substr(end, digits + 1);
-        end += token.fraction.size();
-    }
-    if (end < text.size() && text[end] == 'e') {
-        const std::size_t sign = end + 1 < text.size() && (text[end + 1] == '-' || text[end + 1] == '+') ? 1 : 0;
-        if (const std::size_t digits = digits_at(text, end + 1 + sign))
-            token.exponent = text.substr(end, 1 + sign + digits);
-    }
-    return token;
+    static const std::regex number(R"((-?)(\d+)(\.\d+)?(e[-+]?\d+)?)");
+    std::cmatch match;
+    std::regex_search(text.data() + at, text.data() + text.size(), match, number,
+                      std::regex_constants::match_continuous);
+    return match.empty() ? Token() : Token{match[1], match[2], match[3], match[4]};
 }
 
 // Whether the number is not part of a name, a version, a date or a range.
@@ -94,7 +78,7 @@ std::string rounded(double value, bool keep_zeros) {
 
 std::string short_text(const Token& token, bool in_cell) {
     const std::string mantissa = token.mantissa();
-    const std::string text = std::string(token.sign) + mantissa + std::string(token.exponent);
+    const std::string text = token.sign + mantissa + token.exponent;
     const int digits = significant(mantissa);
     if (digits == 0) return mantissa;
     const bool whole = token.fraction.empty();

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <regex>
 #include <string_view>
@@ -15,14 +16,8 @@ namespace {
 
 constexpr double column_mm = 120.0;  // wider figures take both columns
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, 21> replacements{{{"\\", "\\textbackslash{}"},
-                                                                                      {"&", "\\&"},
-                                                                                      {"%", "\\%"},
-                                                                                      {"$", "\\$"},
-                                                                                      {"#", "\\#"},
-                                                                                      {"_", "\\_"},
-                                                                                      {"{", "\\{"},
-                                                                                      {"}", "\\}"},
+constexpr std::string_view with_backslash = "&%$#_{}";
+constexpr std::array<std::pair<std::string_view, std::string_view>, 14> replacements{{{"\\", "\\textbackslash{}"},
                                                                                       {"~", "\\textasciitilde{}"},
                                                                                       {"^", "\\textasciicircum{}"},
                                                                                       {"<", "$<$"},
@@ -40,16 +35,12 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 21> replacem
 std::string escaped(std::string_view text) {
     std::string result;
     while (!text.empty()) {
-        std::size_t taken = 1;
-        std::string_view put = text.substr(0, 1);
-        for (const auto& [from, to] : replacements) {
-            if (!text.starts_with(from)) continue;
-            taken = from.size();
-            put = to;
-            break;
-        }
-        result += put;
-        text.remove_prefix(taken);
+        const auto found = std::ranges::find_if(
+            replacements, [&text](const auto& replacement) { return text.starts_with(replacement.first); });
+        const bool replaced = found != replacements.end();
+        if (with_backslash.find(text.front()) != std::string_view::npos) result += '\\';
+        result += replaced ? found->second : text.substr(0, 1);
+        text.remove_prefix(replaced ? found->first.size() : 1);
     }
     return result;
 }
