@@ -1,5 +1,4 @@
 // Not in the paper: how thin an arch of free blocks can be, by bisection of runs, and by limit analysis.
-#include "demos/figures/figure.h"
 #include "demos/figures/figure_output.h"
 #include "demos/runs/session.h"
 #include "demos/scenes/named/arch.h"
@@ -69,18 +68,18 @@ SectionContent arch_thickness(FigureOutput& output, const Figure& figure) {
         farthest = std::max({farthest, std::abs(thin / thinnest - 1.0), std::abs(smooth / smoothest - 1.0)});
         table.rows.push_back({count, thin, thinnest, smooth, smoothest, scenes::milankovitch});
     }
-    SectionContent content;
-    content.caption = fmt::format(
+    const std::string caption = fmt::format(
         "The thinnest semicircular arch that stands, as a share of its mean radius, against the number of its "
         "voussoirs, and the least friction of one of {} of the radius. Dots: bisection of runs of {:.0f} s with "
         "the exact preset. Line: limit analysis of the same blocks (Heyman). Dashed: a semicircle of very many "
         "blocks, {} (Milankovitch 1907). They differ by {:.2g} % at most.",
         thickness, run_seconds, scenes::milankovitch, 100.0 * farthest);
-    output.plot(table, std::string(figure.name), 1.6, content);
-    content.commands = {
-        "pushfactor run arch --preset exact --voussoirs 31 --thickness 0.12 --seconds 60",
-        "pushfactor run arch --preset exact --voussoirs 31 --thickness 0.09 --friction 10 --seconds 4"};
-    return content;
+    return output.plot(
+        figure, table, 1.6,
+        {.caption = caption,
+         .commands = {
+             "pushfactor run arch --preset exact --voussoirs 31 --thickness 0.12 --seconds 60",
+             "pushfactor run arch --preset exact --voussoirs 31 --thickness 0.09 --friction 10 --seconds 4"}});
 }
 
 }  // namespace pushfactor::demos::figures

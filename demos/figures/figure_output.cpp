@@ -69,7 +69,9 @@ void FigureOutput::save(const Sheet& sheet, const std::string& name, SectionCont
     fs::remove(bare);
 }
 
-void FigureOutput::plot(const Table& table, const std::string& name, double aspect, SectionContent& content) const {
+SectionContent FigureOutput::plot(const Figure& figure, const Table& table, double aspect,
+                                  SectionContent content) const {
+    const std::string name(figure.name);
     // In one column of a page plots are higher, because their letters are not smaller.
     const bool narrow = format_.print && format_.width < 50.0 * format_.print->letter_pixels();
     add_plot({.script = name,
@@ -79,6 +81,7 @@ void FigureOutput::plot(const Table& table, const std::string& name, double aspe
               .aspect = narrow ? std::min(0.72 * aspect, 1.2) : aspect,
               .format = format_},
              csv_text(table), folder_, content);
+    return content;
 }
 
 }  // namespace pushfactor::demos::figures

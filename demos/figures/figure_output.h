@@ -1,10 +1,10 @@
 // Output of figures: a folder, a format, a offscreen, and gnuplot for plots.
 #pragma once
 
+#include "demos/figures/figure.h"
 #include "demos/figures/printing/format.h"
 #include "demos/figures/printing/sheet.h"
 #include "demos/options/named_run.h"
-#include "demos/pages/page.h"
 #include "demos/pages/table.h"
 #include "demos/pictures/offscreen_renderer.h"
 
@@ -32,9 +32,10 @@ class FigureOutput {
     // Writes the sheet as NAME.png and, for print, as NAME.pdf, and adds them to the content. Throws OutputError.
     void save(const Sheet& sheet, const std::string& name, SectionContent& content) const;
 
-    // Writes NAME.csv and, where gnuplot is installed, draws it with assets/plots/NAME.gp as NAME.png, NAME.svg
-    // and, for print, NAME.pdf. Adds the files to the content; without gnuplot its caption says what to install.
-    void plot(const Table& table, const std::string& name, double aspect, SectionContent& content) const;
+    // Writes NAME.csv, NAME being the figure's, and, where gnuplot is installed, draws it with assets/plots/NAME.gp
+    // as NAME.png, NAME.svg and, for print, NAME.pdf. The content with these files; without gnuplot its caption
+    // says what to install.
+    SectionContent plot(const Figure& figure, const Table& table, double aspect, SectionContent content) const;
 
   private:
     std::filesystem::path folder_;

@@ -1,5 +1,4 @@
 // Not in the paper: a push that is not solved well adds energy by lifting bodies.
-#include "demos/figures/figure.h"
 #include "demos/figures/figure_output.h"
 #include "demos/runs/session.h"
 #include "demos/scenes/families/family.h"
@@ -63,18 +62,18 @@ SectionContent push_pump(FigureOutput& output, const Figure& figure) {
         for (const Way& way : ways) row.push_back(rise(scene, way, of_a_step));
     }
     const auto at = [&](std::size_t row, std::size_t way) { return table.rows[row][way + 1].number(); };
-    SectionContent content;
-    content.caption = fmt::format(
+    const std::string caption = fmt::format(
         "The most by which the energy of a wall of {} bricks rises above its start within {:.0f} s, against the "
         "sweeps of a step. Few let the wall fall, many solve it; between them the push lifts bricks by more than "
         "they overlap, and gravity makes speed of the height: with {} sweeps {:.3g} J where it stays in the "
         "momenta, {:.3g} J for a single frame as the paper has it. Without a push it is {:.2g} J; with small "
         "steps, and the push by itself at the end of them, {:.2g} J.",
         scene.bodies.size() - 1, seconds, sweeps[shown], at(shown, 1), at(shown, 2), at(shown, 0), at(shown, 3));
-    output.plot(table, std::string(figure.name), 1.6, content);
-    content.commands = {"pushfactor family wall --rows 16 --columns 12 --gap 0 --friction 0.5 > wall.json",
-                        "pushfactor run wall.json --scheme whole --solver pgs --iterations 16 --seconds 2"};
-    return content;
+    return output.plot(
+        figure, table, 1.6,
+        {.caption = caption,
+         .commands = {"pushfactor family wall --rows 16 --columns 12 --gap 0 --friction 0.5 > wall.json",
+                      "pushfactor run wall.json --scheme whole --solver pgs --iterations 16 --seconds 2"}});
 }
 
 }  // namespace pushfactor::demos::figures

@@ -1,5 +1,4 @@
 // Not in the paper: the wave along a row of dominoes, and how fast regular solids lose their energy.
-#include "demos/figures/figure.h"
 #include "demos/figures/figure_output.h"
 #include "demos/runs/simulation.h"
 #include "demos/scenes/named/platonic.h"
@@ -71,15 +70,14 @@ SectionContent domino_speed(FigureOutput& output, const Figure& figure) {
         for (const Row& row : dominoes_shown) speeds.push_back(wave_speed(row, spacing));
         apart = std::max(apart, std::abs(speeds[2].number() / speeds[1].number() - 1.0));
     }
-    SectionContent content;
-    content.caption = fmt::format(
+    const std::string caption = fmt::format(
         "Speed of the wave along a row of {} dominoes against the gap between them, measured from the {}th to the "
         "{}th. Both in units of the height h: speeds of rows of one friction and different sizes fall on one "
         "curve, to {:.2g} % at most, because only the square root of g h has the unit of a speed.",
         dominoes_of_a_row, first_timed, last_timed, 100.0 * apart);
-    output.plot(table, std::string(figure.name), 1.6, content);
-    content.commands = {"pushfactor render dominoes --spacing 0.3 --friction 0.3 --seconds 2"};
-    return content;
+    return output.plot(
+        figure, table, 1.6,
+        {.caption = caption, .commands = {"pushfactor render dominoes --spacing 0.3 --friction 0.3 --seconds 2"}});
 }
 
 SectionContent platonic_energy(FigureOutput& output, const Figure& figure) {
@@ -112,19 +110,14 @@ SectionContent platonic_energy(FigureOutput& output, const Figure& figure) {
             if (energies[kind] > 1e-3) quiet[kind] = run.sample().time;
         }
     }
-    SectionContent content;
-    content.caption = fmt::format(
+    std::string caption = fmt::format(
         "Kinetic energy per body of {:.0f} regular solids of 1 kg and one volume, poured into the funnel. It is "
         "above 1 mJ until",
         std::accumulate(counts.begin(), counts.end(), 0.0));
-    for (std::size_t kind = 0; kind < solids.size(); ++kind) {
-        content.caption +=
-            fmt::format("{} {:.1f} s for the {}", kind == 0 ? "" : ",", quiet[kind], solids[kind].name);
-    }
-    content.caption += ".";
-    output.plot(table, std::string(figure.name), 1.6, content);
-    content.commands = {"pushfactor render platonic --seconds 6"};
-    return content;
+    for (std::size_t kind = 0; kind < solids.size(); ++kind)
+        caption += fmt::format("{} {:.1f} s for the {}", kind == 0 ? "" : ",", quiet[kind], solids[kind].name);
+    return output.plot(figure, table, 1.6,
+                       {.caption = caption + ".", .commands = {"pushfactor render platonic --seconds 6"}});
 }
 
 }  // namespace pushfactor::demos::figures

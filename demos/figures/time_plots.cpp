@@ -1,5 +1,4 @@
 // Not in the paper: motion, energy and forces over time.
-#include "demos/figures/figure.h"
 #include "demos/figures/figure_output.h"
 #include "demos/runs/simulation.h"
 
@@ -75,16 +74,16 @@ SectionContent intersecting_motion(FigureOutput& output, const Figure& figure) {
             table);
         column += 2;
     }
-    SectionContent content;
-    content.caption = fmt::format(
+    const std::string caption = fmt::format(
         "Height of the topmost centre and the largest stored upward velocity of the intersecting stack (preset "
         "paper). It reaches {:.1f} m without a push (the cubes stay inside each other), {:.1f} m with a persistent "
         "one and {:.1f} m with a single-frame push; 10.8 m is the height at rest.",
         most[0], most[1], most[2]);
-    output.plot(table, std::string(figure.name), 1.6, content);
-    content.commands = {command_text("run", "intersecting-stack",
-                                     {{"preset", "paper"}, {"push", "persistent"}, {"trajectory", "motion.csv"}})};
-    return content;
+    return output.plot(
+        figure, table, 1.6,
+        {.caption = caption,
+         .commands = {command_text("run", "intersecting-stack",
+                                   {{"preset", "paper"}, {"push", "persistent"}, {"trajectory", "motion.csv"}})}});
 }
 
 SectionContent pendulum_energy(FigureOutput& output, const Figure& figure) {
@@ -121,17 +120,17 @@ SectionContent pendulum_energy(FigureOutput& output, const Figure& figure) {
         left.push_back(table.rows.back()[column].number());
         ++column;
     }
-    SectionContent content;
-    content.caption = fmt::format(
+    const std::string caption = fmt::format(
         "Energy of a pendulum's swing over two minutes at 60 steps per second, as a share of what it had at the "
         "start. For distances the persistent push is the right one: after 120 s {:.1f} % is left with beta 1, "
         "{:.1f} % with beta 0.2; a single-frame push takes the correction out of the velocity each step, and "
         "{:.1f} % is left.",
         100.0 * left[0], 100.0 * left[1], 100.0 * left[2]);
-    output.plot(table, std::string(figure.name), 1.9, content);
-    content.commands = {command_text("run", "pendulum-wave",
-                                     {{"count", "1"}, {"distance-push", "single-frame"}, {"seconds", "120"}})};
-    return content;
+    return output.plot(
+        figure, table, 1.9,
+        {.caption = caption,
+         .commands = {command_text("run", "pendulum-wave",
+                                   {{"count", "1"}, {"distance-push", "single-frame"}, {"seconds", "120"}})}});
 }
 
 SectionContent stack_forces(FigureOutput& output, const Figure& figure) {
@@ -144,15 +143,13 @@ SectionContent stack_forces(FigureOutput& output, const Figure& figure) {
     std::vector<double> last;
     follow(
         choices, 1, [&](const Simulation& run) { return last = forces_between(run); }, table);
-    SectionContent content;
-    content.caption = fmt::format(
+    const std::string caption = fmt::format(
         "Contact forces of the stack, summed over the points below each cube, in the first two seconds; default "
         "settings. After 10 s they are {:.4f}, {:.4f}, {:.4f}, {:.4f} and {:.4f} N: what each pair has to carry is "
         "60, 48, 36, 24 and 12 N.",
         last[0], last[1], last[2], last[3], last[4]);
-    output.plot(table, std::string(figure.name), 1.9, content);
-    content.commands = {command_text("run", "stack", {{"rows", "rows.csv"}})};
-    return content;
+    return output.plot(figure, table, 1.9,
+                       {.caption = caption, .commands = {command_text("run", "stack", {{"rows", "rows.csv"}})}});
 }
 
 }  // namespace pushfactor::demos::figures

@@ -1,4 +1,5 @@
-#include "demos/reports/error/converged_forces.h"
+#include "demos/reports/error/true_errors.h"
+#include "engine/solvers/solver.h"
 
 #include <algorithm>
 #include <cmath>

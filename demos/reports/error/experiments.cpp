@@ -1,7 +1,5 @@
 #include "demos/reports/error/experiments.h"
 
-#include "demos/options/simulation_options.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -221,20 +219,11 @@ std::vector<Experiment> all_experiments(bool quick) {
 std::vector<Experiment> error_experiments(bool quick) {
     std::vector<Experiment> sweeps = all_experiments(quick);
     for (Experiment& sweep : sweeps) {
-        std::erase_if(sweep.methods, [](const Method& method) { return !available(method); });
         for (Method& method : sweep.methods) {
             if (method.values.empty()) method.values = values_of(method.knob, quick);
         }
     }
     return sweeps;
-}
-
-bool available(const Method& method) {
-    Settings scratch;
-    return std::ranges::all_of(method.differs, [&scratch](const auto& wanted) {
-        const auto option = std::ranges::find(simulation_options(), wanted.first, &SimulationOption::name);
-        return option != std::end(simulation_options()) && option->set(scratch, wanted.second);
-    });
 }
 
 std::string differences(const Experiment& sweep, const Method& method) {

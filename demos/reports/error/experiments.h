@@ -1,5 +1,4 @@
-// The methods that the error report compares, scene by scene. A method whose options this build does not know is
-// left out, so a new solver or integrator only needs a line here.
+// The methods that the error report compares, scene by scene. A new solver or integrator only needs a line here.
 #pragma once
 
 #include "demos/options/named_run.h"
@@ -39,11 +38,8 @@ struct Experiment {
     bool solves = true;   // false: there are no rows, and work is counted in moves
 };
 
-// The experiments, with the methods that this build has. `quick`: few values and short runs.
+// The experiments. `quick`: few values and short runs.
 std::vector<Experiment> error_experiments(bool quick);
-
-// Whether all options of the method are known and allowed.
-bool available(const Method& method);
 
 // "warm-start=off slop=0": options in which a method and its sweep differ from the preset.
 std::string differences(const Experiment& sweep, const Method& method);

@@ -1,6 +1,5 @@
 #include "demos/reports/error/true_errors.h"
 
-#include "demos/reports/error/converged_forces.h"
 #include "demos/scenes/exact_motions/free_rotation.h"
 #include "demos/scenes/exact_motions/hanging_chain.h"
 #include "demos/text/median.h"

@@ -1,5 +1,6 @@
 #include "demos/reports/pieces/piece.h"
 
+#include "demos/pictures/replay/replay.h"
 #include "demos/scenes/scene_file.h"
 
 #include <fmt/format.h>
@@ -52,6 +53,26 @@ std::vector<double> numbers_in(const Json& json) {
     std::vector<double> values;
     for (const Json& one : json) values.push_back(number_in(one));
     return values;
+}
+
+std::string replay_of(const std::string& scene, const OptionTexts& options, const std::function<void()>& check) {
+    const StagedFile file(std::filesystem::temp_directory_path() / "replay", ".html");  // removed at the end
+    const Choices choices = run_of(scene, options);
+    Session session({.panels = {{.label = "", .choices = choices}}, .frames = {pictures::replay_frames(choices)}});
+    pictures::Replay replay({.file = file.path(),
+                             .poses_only = true,
+                             .command = command_text("run", scene, options) + " --replay replay.html"},
+                            session);
+    try {
+        session.play({&replay}, [&](const Simulation&) {
+            check();
+            return true;
+        });
+        replay.finish();
+    } catch (const NonFiniteError& error) {
+        replay.finish(error.what());
+    }
+    return read_bytes_of(file.path()).value_or("");
 }
 
 }  // namespace pushfactor::demos::reports

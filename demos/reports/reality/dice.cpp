@@ -1,7 +1,6 @@
 // Cuboid dice with a square cross-section: how often one of the two square faces ends up on top.
 #include "demos/figures/plot.h"
 #include "demos/platform/assets.h"
-#include "demos/reports/reality/measured_file.h"
 #include "demos/reports/reality/sections.h"
 #include "demos/scenes/random.h"
 #include "demos/text/errors.h"

@@ -1,6 +1,5 @@
-#include "demos/reports/reality/measured_file.h"
-
 #include "demos/platform/output_file.h"
+#include "demos/reports/reality/tosses.h"
 #include "demos/text/errors.h"
 
 #include <fmt/format.h>

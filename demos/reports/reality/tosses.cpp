@@ -1,7 +1,5 @@
 #include "demos/reports/reality/tosses.h"
 
-#include "demos/reports/reality/measured_file.h"
-
 #include <cmath>
 #include <numbers>
 

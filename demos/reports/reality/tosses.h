@@ -1,13 +1,19 @@
-// Measured tosses of a cube onto a board, and how far computed ones are from them. The y axis is up.
+// Files of measured numbers, measured tosses of a cube onto a board, and how far computed ones are from them. The y
+// axis is up.
 #pragma once
 
 #include "engine/base/math.h"
 
 #include <cstddef>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 namespace pushfactor::demos::reports::reality {
+
+// The lines of a CSV file of numbers below its heading, which has to be `columns`; a file that ends in .gz is
+// decompressed. Throws RunError for a missing or damaged file.
+std::vector<std::vector<double>> numbers_of(const std::filesystem::path& file, const std::string& columns);
 
 struct Pose {
     engine::Vector3 position;  // m

@@ -1,5 +1,4 @@
 // Cases with bars, and scenes with little or nothing in them.
-#include "demos/reports/stability/bodies.h"
 #include "demos/reports/stability/cases.h"
 #include "demos/reports/stability/scenes.h"
 

@@ -52,14 +52,13 @@ Vector3 origin_of(const SceneDescription& start) {
 
 void shift(SceneDescription& scene, const Vector3& by) {
     for (BodyDescription& body : scene.bodies) body.position += by;
-    for (DistanceDescription& distance : scene.distances) {
-        if (distance.a.body == "world") distance.a.point += by;
-        if (distance.b.body == "world") distance.b.point += by;
-    }
-    for (JointDescription& joint : scene.joints) {
-        if (joint.a.body == "world") joint.a.point += by;
-        if (joint.b.body == "world") joint.b.point += by;
-    }
+    const auto shift_ends = [&by](auto& link) {
+        for (DistanceDescription::End* end : {&link.a, &link.b}) {
+            if (end->body == "world") end->point += by;
+        }
+    };
+    std::ranges::for_each(scene.distances, shift_ends);
+    std::ranges::for_each(scene.joints, shift_ends);
     scene.view.eye += by;
     scene.view.target += by;
 }

@@ -1,5 +1,4 @@
 // Cases with fast, spinning or bouncing bodies.
-#include "demos/reports/stability/bodies.h"
 #include "demos/reports/stability/cases.h"
 #include "demos/reports/stability/scenes.h"
 

@@ -1,10 +1,99 @@
-// Scenes of the stress list that are known elsewhere too. Bodies that do not touch each other share a scene; units
-// as in bodies.h.
+// Scenes of the stress list: their building blocks, and those that several files know. Bodies that do not touch
+// each other share a scene. Unless stated otherwise cubes have 1 m and bodies 1 kg; speeds are in m/s, angles in
+// rad.
 #pragma once
 
 #include "demos/scenes/scene_description.h"
 
+#include <string>
+#include <utility>
+#include <vector>
+
 namespace pushfactor::demos::reports::stability {
+
+using engine::Quaternion;
+using engine::Vector3;
+
+constexpr double usual_gravity = 10.0;  // m/s^2
+
+inline BodyDescription ground() {
+    return {.name = "ground", .shape = PlaneShape{}};
+}
+
+inline BodyDescription ball(double radius, const Vector3& position, const Vector3& velocity = Vector3::Zero()) {
+    return {.name = "ball", .shape = SphereShape{radius}, .mass = 1.0, .position = position, .velocity = velocity};
+}
+
+inline BodyDescription box(const std::string& name, const Vector3& size, const Vector3& position,
+                           const Vector3& velocity = Vector3::Zero()) {
+    return {.name = name, .shape = BoxShape{size}, .mass = 1.0, .position = position, .velocity = velocity};
+}
+
+// Of 1 m, with this number from 0.
+inline BodyDescription cube(int number, const Vector3& position, const Vector3& velocity = Vector3::Zero()) {
+    return box("cube " + std::to_string(number + 1), Vector3::Ones(), position, velocity);
+}
+
+inline BodyDescription wall(const std::string& name, const Vector3& size, const Vector3& position) {
+    return {.name = name, .shape = BoxShape{size}, .position = position};
+}
+
+// Turned by `angle` about the vertical.
+inline Quaternion turned(double angle) {
+    return exponential(angle * Vector3::UnitY());
+}
+
+// Turned by `angle` about the z axis.
+inline Quaternion inclined(double angle) {
+    return exponential(angle * Vector3::UnitZ());
+}
+
+// A horizontal vector of this length, turned by `angle` about the vertical from the x axis.
+inline Vector3 along(double angle, double length) {
+    return turned(angle) * Vector3(length, 0, 0);
+}
+
+// Angular velocity [rad/s] with which a ball rolls on level ground at `velocity`.
+inline Vector3 rolling(const Vector3& velocity, double radius) {
+    return Vector3::UnitY().cross(velocity) / radius;
+}
+
+// A view of the origin from the right; `height` is the upward component of the direction. Pictures find their own
+// distance.
+inline View seen_from(double height) {
+    return {.eye = 20.0 * Vector3(0.45, height, 1.0).normalized(), .target = Vector3::Zero()};
+}
+
+inline SceneDescription scene_of(const std::string& name, std::vector<BodyDescription> bodies) {
+    SceneDescription scene;
+    scene.name = name;
+    scene.bodies = std::move(bodies);
+    return scene;
+}
+
+// Bodies that may touch; `height` as in seen_from(), 0 for the usual view.
+inline SceneDescription touching(const std::string& name, std::vector<BodyDescription> bodies,
+                                 double height = 0.0) {
+    SceneDescription scene = scene_of(name, std::move(bodies));
+    scene.contacts = true;
+    if (height > 0.0) scene.view = seen_from(height);
+    return scene;
+}
+
+inline SceneDescription with_friction(SceneDescription scene, double friction) {
+    for (BodyDescription& body : scene.bodies) body.friction = friction;
+    return scene;
+}
+
+// Stacked cubes, each overlapping the one below by a ten-thousandth of its side and slightly offset, so that no
+// symmetry helps.
+struct Pile {
+    int count = 5;
+    double side = 1.0;                 // m, of cubes as dense as water
+    Vector3 origin = Vector3::Zero();  // m, below the lowest
+    double gravity = usual_gravity;    // m/s^2
+};
+SceneDescription pile(const Pile& pile);
 
 SceneDescription bouncing_ball();  // radius 0.1 m, dropped by 2 m, restitution 1
 

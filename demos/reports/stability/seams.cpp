@@ -1,5 +1,4 @@
 // Floors of flush boxes, which should behave like a single box.
-#include "demos/reports/stability/bodies.h"
 #include "demos/reports/stability/cases.h"
 #include "demos/reports/stability/scenes.h"
 

@@ -1,5 +1,4 @@
 // Cases of sliding, rolling and static friction, and of hovering bodies without friction.
-#include "demos/reports/stability/bodies.h"
 #include "demos/reports/stability/cases.h"
 #include "demos/reports/stability/scenes.h"
 #include "demos/reports/stability/slab_slide.h"

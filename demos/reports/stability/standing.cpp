@@ -1,6 +1,6 @@
 // Cases that should stand: towers, cubes of all sizes, overlaps.
-#include "demos/reports/stability/bodies.h"
 #include "demos/reports/stability/cases.h"
+#include "demos/reports/stability/scenes.h"
 #include "demos/scenes/named/view.h"
 
 #include <fmt/format.h>

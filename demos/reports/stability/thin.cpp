@@ -1,5 +1,4 @@
 // Thin bodies that lie, stand and lean.
-#include "demos/reports/stability/bodies.h"
 #include "demos/reports/stability/cases.h"
 #include "demos/reports/stability/scenes.h"
 

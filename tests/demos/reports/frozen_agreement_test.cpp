@@ -1,6 +1,6 @@
 // Every solver on every frozen problem of the report, against the direct one.
-#include "demos/reports/error/converged_forces.h"
 #include "demos/reports/error/frozen_moments.h"
+#include "demos/reports/error/true_errors.h"
 #include "demos/scenes/families/family.h"
 #include "engine/solvers/solver.h"
 #include "tests/catch.h"

@@ -1,6 +1,5 @@
 // The report on measured motion: closed forms, the measured tosses, what symmetry says of dice, and its files.
 #include "demos/platform/assets.h"
-#include "demos/reports/reality/measured_file.h"
 #include "demos/reports/reality/sections.h"
 #include "demos/reports/reality/toss_fit.h"
 #include "demos/scenes/scene_file.h"

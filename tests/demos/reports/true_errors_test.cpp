@@ -1,9 +1,9 @@
 // The errors of the reports: zero for exact results, known for known deviations.
 #include "demos/reports/error/true_errors.h"
 
-#include "demos/reports/error/converged_forces.h"
 #include "demos/reports/error/experiments.h"
 #include "demos/reports/error/points.h"
+#include "demos/text/errors.h"
 #include "tests/catch.h"
 #include "tests/engine/rows.h"
 
@@ -172,10 +172,9 @@ TEST_CASE("free bodies: half a kick makes the flight exact, and each rotation ha
     CHECK(errors("paper", "1/240", "on").at("turning_energy_max") > 0.02);
 }
 
-TEST_CASE("only methods that this build has are compared") {
-    CHECK(available({.name = "a", .differs = {{"solver", "pgs"}}, .knob = "iterations", .colour = "blue"}));
-    CHECK(!available({.name = "b", .differs = {{"solver", "magic"}}, .knob = "iterations", .colour = "blue"}));
-    CHECK(!available({.name = "c", .differs = {{"no-option", "1"}}, .knob = "iterations", .colour = "blue"}));
+TEST_CASE("every method is one that the program has, with values and a name of its own") {
+    const Method unknown{.name = "a", .differs = {{"solver", "magic"}}, .knob = "iterations", .colour = "blue"};
+    CHECK_THROWS_AS(run_at(error_experiments(true).front(), unknown, "5"), UsageError);
     for (Experiment sweep : error_experiments(false)) {
         INFO(sweep.scene);
         // Finding the lengths of all fifty pendulums takes long.
