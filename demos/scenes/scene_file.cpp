@@ -1,9 +1,7 @@
 #include "demos/scenes/scene_file.h"
 
-#include "demos/scenes/camera_file.h"
 #include "demos/scenes/reading/parts.h"
 #include "demos/text/errors.h"
-#include "demos/text/json_file.h"
 #include "demos/text/json_reader.h"
 #include "demos/text/palette.h"
 #include "demos/text/utf8.h"
@@ -13,11 +11,37 @@
 
 namespace pushfactor::demos {
 
+void describe(Fields& fields, View& view) {
+    const auto place = [](const JsonReader& json) {
+        const engine::Vector3 point = json.vector();
+        if (point.cwiseAbs().maxCoeff() > 1e9) json.refuse("three numbers from -1e9 to 1e9");
+        return point;
+    };
+    fields.must("eye_m", view.eye, place);
+    fields.must("target_m", view.target, place);
+    fields.may("field_of_view_deg", view.field_of_view, between(1.0, 120.0),
+               view.field_of_view != View{}.field_of_view);
+    fields.if_any("floor_m", view.floor, between(-1e9, 1e9));
+}
+
+void describe(Fields& fields, MaterialPairDescription& pair) {
+    fields.must("a", pair.a, read_name);
+    fields.must("b", pair.b, read_name);
+    fields.if_any("friction", pair.friction, between(0.0, 100.0));
+    fields.if_any("restitution", pair.restitution, between(0.0, 1.0));
+}
+
 namespace {
 
 using NoContact = std::pair<std::string, std::string>;
 
 constexpr int scene_file_version = 1;
+
+View read_camera(const JsonReader& json) {
+    const auto view = read_object<View>(json);
+    if (view.eye == view.target) json.at("target_m").refuse("another point than eye_m");
+    return view;
+}
 
 // Of a scene that does not say its own.
 std::string name_of_file(const std::filesystem::path& file) {
@@ -83,17 +107,6 @@ int read_version(const JsonReader& json) {
     if (json.number(0, 1e9) != scene_file_version) json.refuse(std::to_string(scene_file_version));
     return scene_file_version;
 }
-
-}  // namespace
-
-void describe(Fields& fields, MaterialPairDescription& pair) {
-    fields.must("a", pair.a, read_name);
-    fields.must("b", pair.b, read_name);
-    fields.if_any("friction", pair.friction, between(0.0, 100.0));
-    fields.if_any("restitution", pair.restitution, between(0.0, 1.0));
-}
-
-namespace {
 
 // All but state, options, camera and colours.
 void describe(Fields& fields, SceneDescription& scene, const std::filesystem::path& folder) {
@@ -163,6 +176,11 @@ SceneDescription read_scene_file(const std::filesystem::path& file) {
     if (scene.has_camera) scene.view = read_camera(json.at("camera"));
     if (json.has("colours")) read_colours(json.at("colours"), scene);
     return scene;
+}
+
+View read_camera_file(const std::filesystem::path& file) {
+    const Json json = read_json_file(file, "--camera " + file.string());
+    return read_camera(JsonReader(json, file.string()));
 }
 
 std::string scene_file_text(const SceneDescription& scene) {

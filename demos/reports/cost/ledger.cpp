@@ -1,7 +1,6 @@
 #include "demos/reports/cost/ledger.h"
 
-#include "demos/platform/cpu_clock.h"
-#include "demos/platform/heap_memory.h"
+#include "demos/platform/processors.h"
 #include "demos/reports/study.h"
 #include "demos/runs/checkpoint.h"
 #include "demos/text/median.h"

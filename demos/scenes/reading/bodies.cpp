@@ -104,9 +104,29 @@ Vector3 read_moments(const JsonReader& json, const BodyDescription& body) {
     return moments;
 }
 
+BodyDescription read_body(const JsonReader& json, Polyhedra& polyhedra) {
+    json.require_object(body_keys());
+    BodyDescription body{.name = json.at("name").string(), .shape = read_shape(json)};
+    const bool fixed = json.has("static") && json.at("static").boolean();
+    refuse_foreign_keys(json, body, fixed);
+    const bool is_polyhedron = std::holds_alternative<PolyhedronShape>(body.shape);
+    FramedPolyhedron polyhedron;
+    if (is_polyhedron) {
+        polyhedron = read_polyhedron(json, polyhedra);
+        body.shape = polyhedron.shape;
+    }
+    if (!fixed && !std::holds_alternative<PlaneShape>(body.shape)) body.mass = read_mass(json, body);
+    Fields fields(json);
+    describe(fields, body);
+    if (is_polyhedron) {
+        give_polyhedron(body, polyhedron);
+        polyhedra.by_body[body.name] = polyhedron;
+    }
+    return body;
+}
+
 }  // namespace
 
-// All but name, shape and mass.
 void describe(Fields& fields, BodyDescription& body) {
     const auto vector = &JsonReader::vector;
     const auto moments = [&](const JsonReader& json) { return read_moments(json, body); };
@@ -130,31 +150,6 @@ void describe(Fields& fields, BodyDescription& body) {
     fields.if_any("surface_from_s", body.surface_from, between(0.0, 1e9));
     fields.if_any("measured_of", body.measured_of, read_name);
 }
-
-namespace {
-
-BodyDescription read_body(const JsonReader& json, Polyhedra& polyhedra) {
-    json.require_object(body_keys());
-    BodyDescription body{.name = json.at("name").string(), .shape = read_shape(json)};
-    const bool fixed = json.has("static") && json.at("static").boolean();
-    refuse_foreign_keys(json, body, fixed);
-    const bool is_polyhedron = std::holds_alternative<PolyhedronShape>(body.shape);
-    FramedPolyhedron polyhedron;
-    if (is_polyhedron) {
-        polyhedron = read_polyhedron(json, polyhedra);
-        body.shape = polyhedron.shape;
-    }
-    if (!fixed && !std::holds_alternative<PlaneShape>(body.shape)) body.mass = read_mass(json, body);
-    Fields fields(json);
-    describe(fields, body);
-    if (is_polyhedron) {
-        give_polyhedron(body, polyhedron);
-        polyhedra.by_body[body.name] = polyhedron;
-    }
-    return body;
-}
-
-}  // namespace
 
 std::vector<BodyDescription> read_bodies(const JsonReader& json, BodyNames& names, Polyhedra& polyhedra) {
     const std::vector<JsonReader> entries = json.elements();

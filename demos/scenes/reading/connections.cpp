@@ -6,11 +6,33 @@
 
 namespace pushfactor::demos {
 
-namespace {
-
 using engine::Distance;
 using engine::Poke;
 using End = DistanceDescription::End;
+
+void describe(Fields& fields, engine::Spring& spring) {
+    fields.may("stiffness_n_per_m", spring.stiffness, between(0.0, 1e100));
+    fields.may("damping_n_s_per_m", spring.damping, between(0.0, 1e100));
+}
+
+void describe(Fields& fields, engine::Servo& servo) {
+    fields.must("target_angle_rad", servo.angle, between(-1e6, 1e6));
+    fields.may("stiffness_n_m_per_rad", servo.stiffness, between(0.0, 1e100));
+    fields.may("damping_n_m_s_per_rad", servo.damping, between(0.0, 1e100));
+}
+
+void describe(Fields& fields, engine::Motor& motor) {
+    if (motor.servo) return describe(fields, *motor.servo);
+    fields.must("speed_rad_per_s", motor.speed, between(-1e9, 1e9));
+    fields.may("max_torque_n_m", motor.max_torque, &JsonReader::positive, std::isfinite(motor.max_torque));
+}
+
+void describe(Fields& fields, End& end) {
+    fields.must("body", end.body, &JsonReader::string);
+    fields.may("point_m", end.point, &JsonReader::vector);
+}
+
+namespace {
 
 constexpr std::array<std::pair<const char*, Distance::Acts>, 3> act_names{
     {{"both", Distance::Acts::both}, {"pulls", Distance::Acts::pulls}, {"pushes", Distance::Acts::pushes}}};
@@ -44,31 +66,10 @@ Made read_yielding(const JsonReader& json) {
     return made;
 }
 
-}  // namespace
-
-void describe(Fields& fields, engine::Spring& spring) {
-    fields.may("stiffness_n_per_m", spring.stiffness, between(0.0, 1e100));
-    fields.may("damping_n_s_per_m", spring.damping, between(0.0, 1e100));
+const Keys& joint_keys() {
+    static const Keys keys = joined({keys_of<JointDescription>(), keys_of<HingeDescription>()});
+    return keys;
 }
-
-void describe(Fields& fields, engine::Servo& servo) {
-    fields.must("target_angle_rad", servo.angle, between(-1e6, 1e6));
-    fields.may("stiffness_n_m_per_rad", servo.stiffness, between(0.0, 1e100));
-    fields.may("damping_n_m_s_per_rad", servo.damping, between(0.0, 1e100));
-}
-
-void describe(Fields& fields, engine::Motor& motor) {
-    if (motor.servo) return describe(fields, *motor.servo);
-    fields.must("speed_rad_per_s", motor.speed, between(-1e9, 1e9));
-    fields.may("max_torque_n_m", motor.max_torque, &JsonReader::positive, std::isfinite(motor.max_torque));
-}
-
-void describe(Fields& fields, End& end) {
-    fields.must("body", end.body, &JsonReader::string);
-    fields.may("point_m", end.point, &JsonReader::vector);
-}
-
-namespace {
 
 const Keys& motor_keys() {
     static const Keys keys = joined({keys_of<engine::Motor>(), keys_of<engine::Servo>()});
@@ -144,15 +145,6 @@ void describe(Fields& fields, ForceDescription& force) {
     fields.word("frame", force.frame, frame_names);
     fields.if_any("until_s", force.until, between(force.from, 1e9));
 }
-
-namespace {
-
-const Keys& joint_keys() {
-    static const Keys keys = joined({keys_of<JointDescription>(), keys_of<HingeDescription>()});
-    return keys;
-}
-
-}  // namespace
 
 std::string read_body_name(const JsonReader& json, const BodyNames& names, bool or_world) {
     std::string name = json.string();

@@ -34,6 +34,7 @@ using KeysByObject = std::map<std::string, Keys>;
 
 std::vector<BodyDescription> read_bodies(const JsonReader& json, BodyNames& names, Polyhedra& polyhedra);
 Json to_json(const BodyDescription& body);
+void describe(Fields& fields, BodyDescription& body);  // all but name, shape and mass
 const Keys& body_keys();
 
 MotionDescription read_motion(const JsonReader& json);
@@ -49,6 +50,7 @@ JointDescription read_joint(const JsonReader& json, const BodyNames& names, cons
 ForceDescription read_force(const JsonReader& json, const BodyNames& names, const Polyhedra& polyhedra);
 void describe(Fields& fields, DistanceDescription& distance);
 void describe(Fields& fields, JointDescription& joint);
+void describe(Fields& fields, HingeDescription& hinge);  // keys of a joint too
 void describe(Fields& fields, ForceDescription& force);
 KeysByObject connection_keys();
 

@@ -1,6 +1,6 @@
 // Single bodies, piles, cards, planks and rods.
 #include "demos/reports/stability/scenes/pieces.h"
-#include "demos/scenes/named/view.h"
+#include "demos/scenes/named/named_scenes.h"
 
 #include <cmath>
 #include <numbers>
