@@ -2,7 +2,7 @@
 
 #include "demos/platform/version.h"
 #include "demos/text/errors.h"
-#include "demos/text/json_file.h"
+#include "demos/text/json_reader.h"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,5 @@
 #include "demos/checks/tolerance.h"
 
-#include "demos/text/comma_list.h"
 #include "demos/text/numbers.h"
 
 #include <fmt/format.h>

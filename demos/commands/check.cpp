@@ -92,6 +92,22 @@ bool is_expected_file(const fs::path& name) {
     return name == "config.json" || name == "summary.json" || name == "trajectory.csv" || is_png(name);
 }
 
+fs::path pages_of(const Check& request) {
+    return request.out.value_or("out/check");
+}
+
+void print_lines(const FolderVerdict& verdict) {
+    for (const std::string& line : lines_of(verdict)) print(fmt::format("{}\n", line));
+}
+
+// A folder to check; the verdict comes last.
+struct Task {
+    fs::path folder;
+    FolderJob job;
+    std::unique_ptr<Update> update{};
+    std::optional<FolderVerdict> verdict{};
+};
+
 // Checks the folders, several at once, and prints the lines of each in their order as soon as they are known.
 class Checks {
   public:
@@ -103,38 +119,32 @@ class Checks {
             for (const fs::path& folder : folders_of_runs(given)) {
                 if (!seen.insert(fs::canonical(folder)).second) continue;
                 refuse_expected_files(folder);
-                jobs_.push_back({.name = name_of(folder), .anchor = anchors(folder), .pages = pages()});
-                folders_.push_back(folder);
+                tasks_.push_back(
+                    {folder, {.name = name_of(folder), .anchor = anchors(folder), .pages = pages_of(request)}});
             }
         }
-        updates_.resize(jobs_.size());
-        verdicts_.resize(jobs_.size());
-        ended_.resize(jobs_.size());
     }
 
-    fs::path pages() const { return request_.out.value_or("out/check"); }
-
     std::vector<FolderVerdict> carry_out() {
-        if (request_.update) {
-            for (std::size_t i = 0; i < jobs_.size(); ++i) {
-                updates_[i] = std::make_unique<Update>(folders_[i]);
-            }
+        for (Task& task : tasks_) {
+            if (request_.update) task.update = std::make_unique<Update>(task.folder);
         }
         std::vector<std::thread> others;
-        for (std::size_t i = 1; i < std::min(most_, jobs_.size()); ++i) others.emplace_back([this] { work(); });
+        for (std::size_t i = 1; i < std::min(most_, tasks_.size()); ++i) others.emplace_back([this] { work(); });
         work();
         for (std::thread& thread : others) thread.join();
         if (error_) std::rethrow_exception(error_);
-        return std::move(verdicts_);
+        std::vector<FolderVerdict> verdicts;
+        for (Task& task : tasks_) verdicts.push_back(task.verdict.value());
+        return verdicts;
     }
 
     // After carry_out().
-    void update(const std::vector<FolderVerdict>& verdicts) {
-        for (std::size_t i = 0; i < updates_.size(); ++i) {
-            if (!updates_[i]) continue;
-            const long count = updates_[i]->apply();
-            if (count > 0)
-                print(fmt::format("{}: {} {} updated\n", verdicts[i].name, count, count == 1 ? "file" : "files"));
+    void update() {
+        for (Task& task : tasks_) {
+            const long count = task.update->apply();
+            if (count == 0) continue;
+            print(fmt::format("{}: {} {} updated\n", task.job.name, count, count == 1 ? "file" : "files"));
         }
     }
 
@@ -154,12 +164,12 @@ class Checks {
         try {
             std::optional<pictures::OffscreenRenderer> offscreen;
             std::string made_for;
-            while (const auto next = take()) {
+            for (std::size_t i = next_++; i < tasks_.size(); i = next_++) {
                 std::optional<Expectation> expected;
                 try {
-                    expected.emplace(read_expectation(folders_[*next], request_.given));
+                    expected.emplace(read_expectation(tasks_[i].folder, request_.given));
                 } catch (const UsageError& error) {
-                    fail(*next, error.what());
+                    fail(tasks_[i], error.what());
                     continue;
                 }
                 const std::string& gl = expected->sequence.panels.front().choices.frames.gl;
@@ -170,97 +180,83 @@ class Checks {
                     made_for = gl;
                     driver_ = offscreen->driver();
                 }
-                check(*next, *expected, *offscreen);
+                check(tasks_[i], *expected, *offscreen);
             }
         } catch (...) {
             const std::lock_guard lock(mutex_);
             if (!error_) error_ = std::current_exception();
-            next_ = jobs_.size();
+            next_ = tasks_.size();
         }
     }
 
-    std::optional<std::size_t> take() {
-        const std::lock_guard lock(mutex_);
-        if (next_ >= jobs_.size()) return std::nullopt;
-        return next_++;
-    }
-
     // A folder that cannot be read fails, and the others are checked.
-    void fail(std::size_t i, const std::string& why) {
-        end(i, {.name = jobs_[i].name,
-                .anchor = jobs_[i].anchor,
-                .how = "not at all",
-                .runs = {{.subject = "folder", .holds = false, .text = why}}});
+    void fail(Task& task, const std::string& why) {
+        end(task, {.name = task.job.name,
+                   .anchor = task.job.anchor,
+                   .how = "not at all",
+                   .runs = {{.subject = "folder", .holds = false, .text = why}}});
     }
 
-    void check(std::size_t i, const Expectation& expected, pictures::OffscreenRenderer& offscreen) {
-        FolderJob job = jobs_[i];
+    void check(Task& task, const Expectation& expected, pictures::OffscreenRenderer& offscreen) {
+        FolderJob job = task.job;
         std::optional<ProgressBar> bar;  // of one folder at a time
         if (most_ == 1) {
             bar.emplace(job.name, static_cast<long>(expected.sequence.frame_count()));
             job.progress = [&bar](long drawn) { bar->show(drawn); };
         }
-        FolderVerdict verdict = check_folder(expected, rules_, job, offscreen, updates_[i].get());
+        FolderVerdict verdict = check_folder(expected, rules_, job, offscreen, task.update.get());
         bar.reset();
-        end(i, std::move(verdict));
+        end(task, std::move(verdict));
     }
 
-    void end(std::size_t i, FolderVerdict verdict) {
+    void end(Task& task, FolderVerdict verdict) {
         const std::lock_guard lock(mutex_);
-        verdicts_[i] = std::move(verdict);
-        ended_[i] = true;
-        for (; printed_ < ended_.size() && ended_[printed_]; ++printed_) {
-            for (const std::string& line : lines_of(verdicts_[printed_])) print(fmt::format("{}\n", line));
+        task.verdict = std::move(verdict);
+        for (; printed_ < tasks_.size() && tasks_[printed_].verdict; ++printed_) {
+            print_lines(*tasks_[printed_].verdict);
         }
     }
 
     const Check& request_;
     Rules rules_;
     std::size_t most_;  // at once
-    std::vector<fs::path> folders_;
-    std::vector<FolderJob> jobs_;
-    std::vector<std::unique_ptr<Update>> updates_;
+    std::vector<Task> tasks_;
+    std::atomic<std::size_t> next_ = 0;
 
-    std::mutex mutex_;  // guards the members below
-    std::size_t next_ = 0, printed_ = 0;
-    std::vector<FolderVerdict> verdicts_;
-    std::vector<bool> ended_;
+    std::mutex mutex_;  // guards verdicts and the members below
+    std::size_t printed_ = 0;
     std::string driver_;
     std::exception_ptr error_;
 };
 
-void write_results(const Check& request, const std::vector<FolderVerdict>& verdicts, const fs::path& folder,
-                   const std::string& driver) {
-    const std::string made_with = "pushfactor " + version_text() + (driver.empty() ? "" : ", " + driver);
-    make_folder(folder);
-    write_file(folder / "index.html", page_of(verdicts, made_with));
+void write_results(const Check& request, const std::vector<FolderVerdict>& verdicts, const std::string& driver) {
+    const fs::path page = pages_of(request) / "index.html";
+    make_folder(pages_of(request));
+    write_file(page, page_of(verdicts, "pushfactor " + version_text() + (driver.empty() ? "" : ", " + driver)));
     const std::vector<SuiteVerdict> suites = suites_of(verdicts);
     if (request.junit) write_file(*request.junit, junit_xml(suites, std::time(nullptr)));
     if (request.markdown) write_file(*request.markdown, job_summary(headline(verdicts), suites));
 }
 
-void conclude(const std::vector<FolderVerdict>& verdicts, const fs::path& folder, bool updated,
-              bool allow_not_compared) {
+void judge(const Check& request, const std::vector<FolderVerdict>& verdicts) {
     long failures = 0;
     for (const FolderVerdict& verdict : verdicts) {
-        failures += verdict.failures() + (allow_not_compared ? 0 : verdict.not_compared());
+        failures += verdict.failures() + (request.allow_not_compared ? 0 : verdict.not_compared());
     }
-    const std::string page = (folder / "index.html").string();
-    if (failures == 0 || updated) {
-        print(fmt::format("{}; see {}\n", headline(verdicts), page));
-        return;
-    }
-    throw CheckError(fmt::format("{}; see {}", headline(verdicts), page));
+    const std::string text =
+        fmt::format("{}; see {}", headline(verdicts), (pages_of(request) / "index.html").string());
+    if (failures > 0 && !request.update) throw CheckError(text);
+    print(text + "\n");
 }
 
 void check_other_pictures(const Check& request, const Rules& rules) {
-    const fs::path expected = request.folders.front(), folder = request.out.value_or("out/check");
+    const fs::path expected = request.folders.front();
     const std::vector<FolderVerdict> verdicts{
         check_pictures(expected, *request.against, rules.tolerance.value_or(exactly()),
-                       {.name = name_of(expected), .anchor = Anchors()(expected), .pages = folder})};
-    for (const std::string& line : lines_of(verdicts.front())) print(fmt::format("{}\n", line));
-    write_results(request, verdicts, folder, "");
-    conclude(verdicts, folder, false, request.allow_not_compared);
+                       {.name = name_of(expected), .anchor = Anchors()(expected), .pages = pages_of(request)})};
+    print_lines(verdicts.front());
+    write_results(request, verdicts, "");
+    judge(request, verdicts);
 }
 
 std::vector<Option> check_options() {
@@ -317,23 +313,19 @@ AnyCommand read_check(Words& words) {
 
 void carry_out(const Check& request) {
     const Rules rules = understand_rules(request);
-    if (request.against) {
-        check_other_pictures(request, rules);
-        return;
-    }
+    if (request.against) return check_other_pictures(request, rules);
     Checks checks(request, rules);
-    make_folder(checks.pages());
+    make_folder(pages_of(request));
     const std::vector<FolderVerdict> verdicts = checks.carry_out();
-    write_results(request, verdicts, checks.pages(), checks.driver());
-    if (request.update) checks.update(verdicts);
-    conclude(verdicts, checks.pages(), request.update, request.allow_not_compared);
+    write_results(request, verdicts, checks.driver());
+    if (request.update) checks.update();
+    judge(request, verdicts);
 }
 
-Entry check_entry() {
-    return {"check", "FOLDER...",
-            "renders folders of pictures again and says what differs. FOLDER was made by `render`, or contains "
-            "such folders",
-            check_options, read_check};
-}
+const Entry check_entry{
+    "check", "FOLDER...",
+    "renders folders of pictures again and says what differs. FOLDER was made by `render`, or contains "
+    "such folders",
+    check_options, read_check};
 
 }  // namespace pushfactor::demos::commands

@@ -21,12 +21,6 @@ const char* const exit_statuses =
     "\nExit status: 0 done; 1 the run failed; 2 wrong usage or bad input; 3 a check failed;\n"
     "4 an output could not be written; 5 the simulation became non-finite.\n";
 
-std::vector<std::string> names_of(const std::vector<Entry>& entries) {
-    std::vector<std::string> names;
-    for (const Entry& entry : entries) names.push_back(entry.name);
-    return names;
-}
-
 std::string help_of_program(const std::vector<Entry>& entries) {
     std::string text =
         "Constraint based rigid bodies (Tamis & Maggiore 2015), simulated and rendered offscreen.\n\n"
@@ -95,8 +89,8 @@ const Entry& find_entry(const std::vector<Entry>& entries, const std::string& wo
 
 std::vector<Entry> command_entries() {
     using namespace commands;
-    return {list_entry(),    scene_entry(),  family_entry(), run_entry(),   render_entry(),
-            figures_entry(), report_entry(), check_entry(),  doctor_entry()};
+    return {list_entry,    scene_entry,  family_entry, run_entry,   render_entry,
+            figures_entry, report_entry, check_entry,  doctor_entry};
 }
 
 std::string reference_text() {

@@ -134,14 +134,7 @@ struct Entry {
     std::string (*appendix)() = nullptr;  // of the help text
 };
 
-Entry list_entry();
-Entry scene_entry();
-Entry family_entry();
-Entry run_entry();
-Entry render_entry();
-Entry figures_entry();
-Entry report_entry();
-Entry check_entry();
-Entry doctor_entry();
+extern const Entry list_entry, scene_entry, family_entry, run_entry, render_entry, figures_entry, report_entry,
+    check_entry, doctor_entry;
 
 }  // namespace pushfactor::demos::commands

@@ -132,10 +132,9 @@ void carry_out(const Doctor& command) {
     if (!picture.good) throw CheckError("no picture can be drawn here: the list says what to install");
 }
 
-Entry doctor_entry() {
-    return {"doctor", "",
-            "what is installed: libraries, programs, font; and whether pictures can be rendered (status 3 if not)",
-            doctor_options, read_doctor};
-}
+const Entry doctor_entry{
+    "doctor", "",
+    "what is installed: libraries, programs, font; and whether pictures can be rendered (status 3 if not)",
+    doctor_options, read_doctor};
 
 }  // namespace pushfactor::demos::commands

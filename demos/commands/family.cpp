@@ -18,16 +18,13 @@ namespace {
 
 using Kind = families::Family;
 
-std::string range_of(const families::FamilyParameter& parameter) {
-    return fmt::format("{} to {}", to_text(parameter.range.low), to_text(parameter.range.high));
-}
-
 std::string parameters_text(const Kind& family, const char* indent) {
     std::string text;
     for (const families::FamilyParameter& parameter : family.parameters) {
-        text += fmt::format("{}{:<20} {} [{}]\n", indent,
-                            fmt::format("--{} {}", parameter.range.name, parameter.range.placeholder),
-                            parameter.range.help, range_of(parameter));
+        const Parameter& range = parameter.range;
+        text +=
+            fmt::format("{}{:<20} {} [{} to {}]\n", indent, fmt::format("--{} {}", range.name, range.placeholder),
+                        range.help, to_text(range.low), to_text(range.high));
     }
     return text;
 }
@@ -40,46 +37,38 @@ void print_all() {
 }
 
 const Kind& family_named(const std::string& name) {
-    std::vector<std::string> names;
-    for (const Kind& family : families::families()) names.emplace_back(family.name);
-    require_known("family", name, names);
+    require_known("family", name, names_of(families::families()));
     return *families::find_family(name);
 }
 
-int seed_of(const GivenOptions::Given& given) {
-    const Parameter seed{.name = "seed", .placeholder = "N", .help = "", .low = 0, .high = 1e9, .whole = true};
-    ParameterValues values{std::span<const Parameter>()};
-    if (!values.set(seed, given.text)) {
-        throw UsageError(fmt::format("{} {}: must be {}", given.field, given.text, seed.allowed()));
+const Parameter seed_range{.name = "seed", .placeholder = "N", .help = "", .low = 0, .high = 1e9, .whole = true};
+
+// Throws UsageError for a parameter of another family.
+const Parameter& range_of(const Kind& family, const std::string& name, const GivenOptions::Given& given) {
+    if (name == seed_range.name) return seed_range;
+    std::vector<std::string> own;
+    for (const families::FamilyParameter& parameter : family.parameters) {
+        if (parameter.range.name == name) return parameter.range;
+        own.push_back("--" + std::string(parameter.range.name));
     }
-    return values.whole("seed");
+    throw UsageError(fmt::format("{} {}: family {} has no such parameter; it has {}", given.field, given.text,
+                                 family.name, fmt::join(own, ", ")));
 }
 
-void add_value(const Kind& family, const std::string& name, const GivenOptions::Given& given,
-               families::Choice& choice) {
-    const auto found = std::find_if(family.parameters.begin(), family.parameters.end(),
-                                    [&](const auto& parameter) { return parameter.range.name == name; });
-    if (found == family.parameters.end()) {
-        std::vector<std::string> own;
-        for (const auto& parameter : family.parameters) own.push_back("--" + std::string(parameter.range.name));
-        throw UsageError(fmt::format("{} {}: family {} has no such parameter; it has {}", given.field, given.text,
-                                     family.name, fmt::join(own, ", ")));
-    }
-    if (!ParameterValues(std::span<const Parameter>()).set(found->range, given.text)) {
-        throw UsageError(fmt::format("{} {}: must be {}", given.field, given.text, found->range.allowed()));
-    }
-    choice.given.emplace_back(name, given.text);
-}
-
-// Throws UsageError for a value that is not allowed, or a parameter of another family.
+// Throws UsageError, also for a value that is not allowed.
 families::Choice choice_of(const Family& command) {
     const Kind& family = family_named(command.name);
     families::Choice choice;
     for (const auto& [name, given] : command.given.all()) {
-        if (name == "seed") {
-            choice.seed = seed_of(given);
+        const Parameter& range = range_of(family, name, given);
+        ParameterValues values{std::span<const Parameter>()};
+        if (!values.set(range, given.text)) {
+            throw UsageError(fmt::format("{} {}: must be {}", given.field, given.text, range.allowed()));
+        }
+        if (&range == &seed_range) {
+            choice.seed = values.whole(name);
         } else {
-            add_value(family, name, given, choice);
+            choice.given.emplace_back(name, given.text);
         }
     }
     return choice;
@@ -119,11 +108,10 @@ void carry_out(const Family& command) {
     write_file("-", scene_file_text(draw_member(family_named(command.name), choice_of(command)).prospect.scene));
 }
 
-Entry family_entry() {
-    return {"family", "[NAME]",
-            "lists the families of random scenes and their parameters; with a name prints a member as a scene "
-            "file. Parameters are options, drawn at random where they are not given",
-            family_options, read_family};
-}
+const Entry family_entry{
+    "family", "[NAME]",
+    "lists the families of random scenes and their parameters; with a name prints a member as a scene "
+    "file. Parameters are options, drawn at random where they are not given",
+    family_options, read_family};
 
 }  // namespace pushfactor::demos::commands

@@ -20,8 +20,7 @@ namespace {
 
 // The named figures, or all.
 std::vector<figures::Figure> wanted(const std::vector<std::string>& named) {
-    std::vector<std::string> known;
-    for (const figures::Figure& figure : figures::all_figures()) known.emplace_back(figure.name);
+    const std::vector<std::string> known = names_of(figures::all_figures());
     for (const std::string& name : named) require_known("figure", name, known);
     std::vector<figures::Figure> result;
     for (const figures::Figure& figure : figures::all_figures()) {
@@ -155,9 +154,7 @@ void carry_out(const Figures& command) {
     print((folder / "index.html").string() + "\n");
 }
 
-Entry figures_entry() {
-    return {"figures", "[FIGURE...]", "Figures 5 to 11 of the paper and some of our own, on one page",
-            figures_options, read_figures};
-}
+const Entry figures_entry{"figures", "[FIGURE...]", "Figures 5 to 11 of the paper and some of our own, on one page",
+                          figures_options, read_figures};
 
 }  // namespace pushfactor::demos::commands

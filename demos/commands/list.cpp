@@ -35,9 +35,7 @@ void carry_out(const List& command) {
     }
 }
 
-Entry list_entry() {
-    return {"list", "", "the scenes: what happens, what they are made of, their parameters", list_options,
-            read_list};
-}
+const Entry list_entry{"list", "", "the scenes: what happens, what they are made of, their parameters",
+                       list_options, read_list};
 
 }  // namespace pushfactor::demos::commands

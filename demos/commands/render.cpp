@@ -1,12 +1,12 @@
 #include "demos/commands/commands.h"
 #include "demos/commands/run_options.h"
 #include "demos/pictures/camera/survey.h"
-#include "demos/pictures/caption.h"
 #include "demos/pictures/draw_list.h"
 #include "demos/pictures/film/frame_writer.h"
 #include "demos/pictures/film/take_frames.h"
 #include "demos/pictures/film/video.h"
 #include "demos/pictures/gltf/glb_record.h"
+#include "demos/pictures/lettering.h"
 #include "demos/pictures/overlays/overlay.h"
 #include "demos/pictures/recorded_session.h"
 #include "demos/platform/messages.h"
@@ -30,19 +30,20 @@ namespace fs = std::filesystem;
 struct Job {
     Sequence sequence;
     fs::path folder;
-    std::string film;  // mark of its frames
+    std::string film;               // mark of its frames
+    std::vector<BuiltScene> built;  // of the panels
 };
 
 Job understand_job(const std::string& scene, const Render& request) {
-    Job job{.sequence = plan_sequence(scene, request.given), .folder = {}, .film = {}};
+    Job job{.sequence = plan_sequence(scene, request.given), .folder = {}, .film = {}, .built = {}};
     job.sequence.shard = request.shard.value_or(Shard{});
     note_cut_time(job.sequence, request.given);
     // Before there is a folder for it.
     for (const ComparedRun& panel : job.sequence.panels) {
-        const BuiltScene scene = build_scene(panel.choices);
+        job.built.push_back(build_scene(request.timing ? panel.choices.on_one_thread() : panel.choices));
         if (!request.png && !request.video) continue;
-        pictures::require_drawable(scene);
-        pictures::require_shown(scene, panel.choices.frames.overlay);
+        pictures::require_drawable(job.built.back());
+        pictures::require_shown(job.built.back(), panel.choices.frames.overlay);
     }
     if (request.from_trajectory) pictures::require_poses_only(job.sequence, *request.from_trajectory);
     if (request.files.glb) pictures::check_glb(*request.files.glb, job.sequence.panels.front().choices);
@@ -119,7 +120,7 @@ void render_trajectory(Job& job, const Render& request, pictures::OffscreenRende
     };
     pictures::SurveyOnce survey(job.sequence.frames, go_to);
     pictures::add_overview(job.sequence.panels, survey);
-    Session session(job.sequence, false, go_to);
+    Session session(job.sequence, false, go_to, std::move(job.built));
     pictures::Film film(offscreen, session, survey);
     prepare_folder(job, request);
     make_frames(job, request, session, nullptr, {.film = &film}, times);
@@ -129,7 +130,8 @@ void render_job(Job& job, const Render& request, std::optional<pictures::Offscre
                 pictures::StageTimes* times) {
     pictures::SurveyOnce survey(job.sequence.frames);
     pictures::add_overview(job.sequence.panels, survey);
-    pictures::RecordedSession recorded(job.sequence, request.files, request.timing, job.folder, survey);
+    pictures::RecordedSession recorded(job.sequence, request.files, request.timing, job.folder, survey,
+                                       std::move(job.built));
     std::optional<pictures::Film> film;
     if (offscreen) film.emplace(*offscreen, recorded.session, survey);
     prepare_folder(job, request);
@@ -302,9 +304,7 @@ void carry_out(const Render& request) {
     if (times) print_times(jobs, *times, offscreen.has_value());
 }
 
-Entry render_entry() {
-    return {"render",       "SCENE...",  "PNG frames or stills, without a display",
-            render_options, read_render, scene_parameters_help};
-}
+const Entry render_entry{"render",       "SCENE...",  "PNG frames or stills, without a display",
+                         render_options, read_render, scene_parameters_help};
 
 }  // namespace pushfactor::demos::commands

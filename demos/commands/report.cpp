@@ -3,7 +3,6 @@
 #include "demos/commands/commands.h"
 #include "demos/platform/output_file.h"
 #include "demos/reports/study.h"
-#include "demos/text/comma_list.h"
 #include "demos/text/errors.h"
 #include "demos/text/numbers.h"
 #include "demos/text/suggest.h"
@@ -51,8 +50,7 @@ std::optional<reports::GridRequest> understand_grid(const Report& request) {
 
 reports::Study find_study(const std::string& name) {
     const std::vector<reports::Study> all = reports::all_studies();
-    std::vector<std::string> names;
-    for (const reports::Study& study : all) names.push_back(study.name);
+    const std::vector<std::string> names = names_of(all);
     if (name.empty()) throw UsageError(fmt::format("a report is missing: one of {}", fmt::join(names, ", ")));
     require_known("report", name, names);
     return *std::ranges::find(all, name, &reports::Study::name);
@@ -190,14 +188,13 @@ void carry_out(const Report& command) {
     make_report(command, {});
 }
 
-Entry report_entry() {
-    return {"report", "REPORT",
-            "measurements of many runs, as CSV files and a page of plots. REPORT is `error`: error against work "
-            "and run time, for every method and scene; `stability`: stiff and extreme cases, each judged; `cost`: "
-            "work and time per step of each scene; `atlas`: maps of outcomes over two parameters; `reality`: "
-            "tosses, dice, heaps as they were measured, and as they are computed; `merge DIR...`: the page of the "
-            "shards in these folders",
-            report_options, read_any_report};
-}
+const Entry report_entry{
+    "report", "REPORT",
+    "measurements of many runs, as CSV files and a page of plots. REPORT is `error`: error against work "
+    "and run time, for every method and scene; `stability`: stiff and extreme cases, each judged; `cost`: "
+    "work and time per step of each scene; `atlas`: maps of outcomes over two parameters; `reality`: "
+    "tosses, dice, heaps as they were measured, and as they are computed; `merge DIR...`: the page of the "
+    "shards in these folders",
+    report_options, read_any_report};
 
 }  // namespace pushfactor::demos::commands

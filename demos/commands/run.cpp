@@ -85,9 +85,7 @@ void carry_out(const Run& request) {
     say(recorded.recorder.warnings());
 }
 
-Entry run_entry() {
-    return {"run",       "SCENE",  "physics only: CSV files and a summary as JSON",
-            run_options, read_run, scene_parameters_help};
-}
+const Entry run_entry{"run",       "SCENE",  "physics only: CSV files and a summary as JSON",
+                      run_options, read_run, scene_parameters_help};
 
 }  // namespace pushfactor::demos::commands

@@ -41,7 +41,7 @@ std::vector<Option> simulation_option_table() {
     const std::string group = "Simulation";
     std::vector<Option> table{{"preset", "NAME", preset_help(), group}};
     for (const SimulationOption& option : simulation_options()) {
-        table.push_back({std::string(option.name), std::string(option.placeholder), option.help, group,
+        table.push_back({option.name, option.placeholder, option.help, group,
                          option.reads_file ? OptionKind::reads : OptionKind::value});
     }
     table.push_back({"config", "FILE", "read options from this JSON file; the command line takes precedence", group,
@@ -77,8 +77,7 @@ std::vector<Option> frame_option_table(unsigned uses, const std::string& group) 
     std::vector<Option> table;
     for (const FrameOption& option : frame_options()) {
         if ((option.uses & uses) == 0) continue;
-        table.push_back(
-            {std::string(option.name), std::string(option.placeholder), std::string(option.help), group});
+        table.push_back({option.name, option.placeholder, option.help, group});
     }
     return table;
 }
@@ -94,8 +93,7 @@ GivenOptions take_simulation(Words& words, std::vector<std::string>& scenes, boo
         if (text) given.add(name, *text, "--" + name);
     }
     for (const FrameOption& option : frame_options()) {
-        const std::string name(option.name);
-        if (const auto text = words.peek(name)) given.add(name, *text, "--" + name);
+        if (const auto text = words.peek(option.name)) given.add(option.name, *text, "--" + option.name);
     }
     if (const auto config = words.take("config")) add_config(*config, given);
     if (const auto* named = given.find("scene")) {

@@ -22,13 +22,11 @@ void carry_out(const Scene& command) {
     write_file("-", scene_file_text(spelled_out(run.choices)));
 }
 
-Entry scene_entry() {
-    return {"scene",
-            "SCENE",
-            "prints a scene as a JSON file that run and render accept",
-            simulation_option_table,
-            read_scene,
-            scene_parameters_help};
-}
+const Entry scene_entry{"scene",
+                        "SCENE",
+                        "prints a scene as a JSON file that run and render accept",
+                        simulation_option_table,
+                        read_scene,
+                        scene_parameters_help};
 
 }  // namespace pushfactor::demos::commands

@@ -3,7 +3,7 @@
 
 #include "demos/figures/figure.h"
 #include "demos/figures/figure_output.h"
-#include "demos/options/overlay_choice.h"
+#include "demos/options/look_choices.h"
 #include "demos/runs/session.h"
 
 #include <functional>

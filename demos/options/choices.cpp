@@ -5,7 +5,7 @@
 #include "demos/scenes/motions/measured_motion.h"
 #include "demos/scenes/scene_file.h"
 #include "demos/text/errors.h"
-#include "demos/text/json_file.h"
+#include "demos/text/json_reader.h"
 #include "demos/text/numbers.h"
 #include "demos/text/suggest.h"
 #include "demos/text/text_hash.h"
@@ -29,9 +29,7 @@ std::string text_of(const Json& value) {
 Settings understand_settings(const GivenOptions& given) {
     std::string preset = "default";
     if (const auto* chosen = given.find("preset")) {
-        std::vector<std::string> names;
-        for (const Preset& known : presets()) names.emplace_back(known.name);
-        require_known(chosen->field, chosen->text, names);
+        require_known(chosen->field, chosen->text, names_of(presets()));
         preset = chosen->text;
     }
     Settings settings = preset_settings(preset);
@@ -86,8 +84,7 @@ ParameterValues understand_parameters(const SceneEntry& scene, const GivenOption
 // A name that is neither a known scene nor a file is reported as an unknown scene.
 void require_scene(const std::string& name) {
     if (find_scene(name) || name == "-" || name.ends_with(".json") || std::filesystem::exists(name)) return;
-    std::vector<std::string> names;
-    for (const SceneEntry& entry : catalogue()) names.emplace_back(entry.name);
+    const std::vector<std::string> names = names_of(catalogue());
     throw UsageError(fmt::format("scene {}: must be one of {}, or a scene file (.json){}", name,
                                  fmt::join(names, ", "), suggestion(name, names)));
 }
@@ -217,13 +214,9 @@ void require_parameters(const std::string& scene, const GivenOptions& given) {
 SceneDescription spelled_out(const Choices& choices) {
     SceneDescription description = choices.description;
     description.options["preset"] = choices.settings.preset;
+    for (const auto& [name, text] : texts_of(choices.settings)) description.options[name] = text;
     for (const SimulationOption& option : simulation_options()) {
-        if (option.reads_file) {
-            description.options.erase(std::string(option.name));
-            continue;
-        }
-        const std::string text = option.get(choices.settings);
-        if (!text.empty()) description.options[std::string(option.name)] = text;
+        if (option.reads_file) description.options.erase(option.name);
     }
     return description;
 }
@@ -257,16 +250,13 @@ std::string config_text(const Choices& choices, const GivenOptions& given) {
         return json_text(config);
     }
     config["preset"] = choices.settings.preset;
-    for (const SimulationOption& option : simulation_options()) {
-        const std::string text = option.get(choices.settings);
-        if (!text.empty()) config[std::string(option.name)] = json_of(text);
-    }
+    for (const auto& [name, text] : texts_of(choices.settings)) config[name] = json_of(text);
     for (const auto& [name, text] : choices.parameters) {
         if (given.find(name)) config[name] = json_of(text);
     }
     for (const FrameOption& option : frame_options()) {
         const std::string text = option.get(choices.frames);
-        if (!text.empty()) config[std::string(option.name)] = json_of(text);
+        if (!text.empty()) config[option.name] = json_of(text);
     }
     return json_text(config);
 }

@@ -1,6 +1,5 @@
 #include "demos/options/frame_options.h"
 
-#include "demos/text/comma_list.h"
 #include "demos/text/errors.h"
 #include "demos/text/numbers.h"
 
@@ -29,22 +28,37 @@ bool set_size(FrameChoices& choices, std::string_view text) {
     return true;
 }
 
-bool set_fps(FrameChoices& choices, std::string_view text) {
-    const auto fps = parse_rational(text);
-    if (!fps || fps->numerator <= 0 || fps->value() > 1e6) return false;
-    choices.fps = fps;
-    return true;
+std::optional<Rational> parse_rate(std::string_view text) {
+    const auto rate = parse_rational(text);
+    return rate && rate->numerator > 0 && rate->value() <= 1e6 ? rate : std::nullopt;
 }
 
-bool set_times(std::vector<Rational>& list, std::string_view text) {
+std::optional<std::vector<Rational>> parse_times(std::string_view text) {
     std::vector<Rational> times;
     for (const std::string_view part : parts_of(text)) {
         const auto time = parse_rational(part);
-        if (!time || time->numerator < 0 || time->value() > 1e6) return false;
+        if (!time || time->numerator < 0 || time->value() > 1e6) return std::nullopt;
         times.push_back(*time);
     }
-    list = times;
-    return true;
+    return times;
+}
+
+std::optional<int> parse_samples(std::string_view text) {
+    const auto samples = parse_integer(text);
+    return samples && *samples >= 1 && *samples <= most_samples ? samples : std::nullopt;
+}
+
+std::optional<double> parse_share(std::string_view text) {
+    const auto share = parse_number(text);
+    return share && *share >= 0.0 && *share <= 1.0 ? share : std::nullopt;
+}
+
+std::optional<bool> parse_switch(std::string_view text) {
+    return text == "on" || text == "off" ? std::optional(text == "on") : std::nullopt;
+}
+
+std::optional<std::string> parse_gl(std::string_view text) {
+    return text == "osmesa" || text == "egl" ? std::optional(std::string(text)) : std::nullopt;
 }
 
 std::string text_of(const std::vector<Rational>& times) {
@@ -53,131 +67,89 @@ std::string text_of(const std::vector<Rational>& times) {
     return text;
 }
 
-bool set_at(FrameChoices& choices, std::string_view text) {
-    return set_times(choices.at, text);
+std::string text_of(const std::optional<Comparison>& compare) {
+    return compare ? fmt::format("{}={}", compare->option, fmt::join(compare->values, ",")) : "";
 }
 
-bool set_ghosts(FrameChoices& choices, std::string_view text) {
-    return set_times(choices.ghosts, text);
+// Sets a member to what `parse` makes of the text, if anything.
+template <typename Value, typename Member>
+auto parsed(std::optional<Value> (*parse)(std::string_view), Member FrameChoices::*member) {
+    return [=](FrameChoices& choices, std::string_view text) {
+        const auto value = parse(text);
+        if (value) choices.*member = *value;
+        return value.has_value();
+    };
 }
 
-bool set_shutter(FrameChoices& choices, std::string_view text) {
-    const auto shutter = parse_number(text);
-    if (!shutter || *shutter < 0.0 || *shutter > 1.0) return false;
-    choices.shutter = *shutter;
-    return true;
-}
-
-bool set_samples(FrameChoices& choices, std::string_view text) {
-    const auto samples = parse_integer(text);
-    if (!samples || *samples < 1 || *samples > most_samples) return false;
-    choices.samples = *samples;
-    return true;
-}
-
-bool set_play_speed(FrameChoices& choices, std::string_view text) {
-    const auto speed = parse_rational(text);
-    if (!speed || speed->numerator <= 0 || speed->value() > 1e6) return false;
-    choices.play_speed = *speed;
-    return true;
-}
-
-bool set_camera(FrameChoices& choices, std::string_view text) {
-    const auto camera = parse_camera(text);
-    if (camera) choices.camera = *camera;
-    return camera.has_value();
-}
-
-bool set_caption(FrameChoices& choices, std::string_view text) {
-    choices.caption = text == "on";
-    return text == "on" || text == "off";
-}
-
-bool set_overlay(FrameChoices& choices, std::string_view text) {
-    const auto overlay = parse_overlay(text);
-    if (overlay) choices.overlay = *overlay;
-    return overlay.has_value();
-}
-
-bool set_compare(FrameChoices& choices, std::string_view text) {
-    const auto comparison = parse_comparison(text);
-    if (comparison) choices.compare = comparison;
-    return comparison.has_value();
-}
-
-bool set_gl(FrameChoices& choices, std::string_view text) {
-    choices.gl = text;
-    return text == "osmesa" || text == "egl";
-}
-
-std::string get_compare(const FrameChoices& choices) {
-    if (!choices.compare) return {};
-    return fmt::format("{}={}", choices.compare->option, fmt::join(choices.compare->values, ","));
-}
+const std::string rates = "a number above 0 and up to 1e6";
+const std::string times = "times in s from 0 to 1e6, separated by commas, like 0,0.5,10";
 
 const std::array frame_table{
-    FrameOption{"size", "WxH", "size of a frame in pixels, up to 4096 per side [1280x720]",
-                "WxH with each side from 16 to 4096 pixels", set_size,
-                [](const FrameChoices& c) { return fmt::format("{}x{}", c.width, c.height); },
+    FrameOption{{"size", "WxH", "size of a frame in pixels, up to 4096 per side [1280x720]",
+                 "WxH with each side from 16 to 4096 pixels", set_size,
+                 [](const FrameChoices& c) { return fmt::format("{}x{}", c.width, c.height); }},
                 of_pictures | of_models},
-    FrameOption{"fps", "N", "frames (or trajectory lines) per second; each must fall on a step [60 for frames]",
-                "a number above 0 and up to 1e6", set_fps,
-                [](const FrameChoices& c) { return c.fps ? to_text(*c.fps) : std::string(); },
+    FrameOption{{"fps", "N", "frames (or trajectory lines) per second; each must fall on a step [60 for frames]",
+                 rates, parsed(parse_rate, &FrameChoices::fps),
+                 [](const FrameChoices& c) { return c.fps ? to_text(*c.fps) : ""; }},
                 of_film | of_shutter | of_trajectory | of_models | of_run},
-    FrameOption{"play-speed", "X",
-                "simulated seconds per second of video; slow motion (1/4) needs steps that are small enough [1]",
-                "a number above 0 and up to 1e6", set_play_speed,
-                [](const FrameChoices& c) {
-                    return c.play_speed == Rational{1, 1} ? std::string() : to_text(c.play_speed);
-                },
+    FrameOption{{"play-speed", "X",
+                 "simulated seconds per second of video; slow motion (1/4) needs steps that are small enough [1]",
+                 rates, parsed(parse_rate, &FrameChoices::play_speed),
+                 [](const FrameChoices& c) {
+                     return c.play_speed == Rational{1, 1} ? "" : to_text(c.play_speed);
+                 }},
                 of_film | of_shutter | of_models},
-    FrameOption{"at", "T,T,...", "stills at these times in s instead of a sequence; the run ends with the last",
-                "times in s from 0 to 1e6, separated by commas, like 0,0.5,10", set_at,
-                [](const FrameChoices& c) { return text_of(c.at); }},
-    FrameOption{"ghosts", "T,T,...",
-                "also draw the bodies as they were at these times in s, paler the older they are",
-                "times in s from 0 to 1e6, separated by commas, like 0,0.5,10", set_ghosts,
-                [](const FrameChoices& c) { return text_of(c.ghosts); }},
+    FrameOption{{"at", "T,T,...", "stills at these times in s instead of a sequence; the run ends with the last",
+                 times, parsed(parse_times, &FrameChoices::at),
+                 [](const FrameChoices& c) { return text_of(c.at); }}},
+    FrameOption{{"ghosts", "T,T,...",
+                 "also draw the bodies as they were at these times in s, paler the older they are", times,
+                 parsed(parse_times, &FrameChoices::ghosts),
+                 [](const FrameChoices& c) { return text_of(c.ghosts); }}},
     FrameOption{
-        "samples", "N",
-        "renderings averaged per picture: smoother edges and soft shadows; from 16 on ambient occlusion too [1]",
-        fmt::format("a whole number from 1 to {}", most_samples), set_samples,
-        [](const FrameChoices& c) { return c.samples == 1 ? std::string() : std::to_string(c.samples); }},
-    FrameOption{"shutter", "X",
-                "motion blur: the share of a frame's time, 0 to 1, over which its --samples are spread; poses "
-                "between steps are interpolated, so take a small --dt for exact blur [0]",
-                "a number from 0 to 1", set_shutter,
-                [](const FrameChoices& c) { return c.shutter == 0.0 ? std::string() : to_text(c.shutter); }},
-    FrameOption{"camera", "WHAT",
-                "scene (its own), FILE.json (keys of a scene file's camera), fit (close, with all motion in view, "
-                "turned where that fills the picture better), orbit:DEGREES_PER_SECOND, or a comma-separated list "
-                "of these [scene; fit for stills and comparisons]",
-                "scene, a camera file, fit or orbit:DEGREES_PER_SECOND (up to 1e4), or a comma-separated list of "
-                "these, each "
-                "once, with scene or a file",
-                set_camera,
-                [](const FrameChoices& c) { return c.camera.text.empty() ? std::string("scene") : c.camera.text; },
+        {"samples", "N",
+         "renderings averaged per picture: smoother edges and soft shadows; from 16 on ambient occlusion too [1]",
+         fmt::format("a whole number from 1 to {}", most_samples), parsed(parse_samples, &FrameChoices::samples),
+         [](const FrameChoices& c) { return c.samples == 1 ? "" : std::to_string(c.samples); }}},
+    FrameOption{{"shutter", "X",
+                 "motion blur: the share of a frame's time, 0 to 1, over which its --samples are spread; poses "
+                 "between steps are interpolated, so take a small --dt for exact blur [0]",
+                 "a number from 0 to 1", parsed(parse_share, &FrameChoices::shutter),
+                 [](const FrameChoices& c) { return c.shutter == 0.0 ? "" : to_text(c.shutter); }}},
+    FrameOption{{"camera", "WHAT",
+                 "scene (its own), FILE.json (keys of a scene file's camera), fit (close, with all motion in view, "
+                 "turned where that fills the picture better), orbit:DEGREES_PER_SECOND, or a comma-separated list "
+                 "of these [scene; fit for stills and comparisons]",
+                 "scene, a camera file, fit or orbit:DEGREES_PER_SECOND (up to 1e4), or a comma-separated list of "
+                 "these, each once, with scene or a file",
+                 parsed(parse_camera, &FrameChoices::camera),
+                 [](const FrameChoices& c) { return c.camera.text.empty() ? "scene" : c.camera.text; }},
                 of_pictures | of_models | of_run},
-    FrameOption{"caption", "on|off", "time, scene and options in the picture [on]", "on or off", set_caption,
-                [](const FrameChoices& c) { return std::string(c.caption ? "" : "off"); }},
-    FrameOption{"overlay", "WHAT",
-                "comma-separated list of contacts, forces, torques, push, velocities (points and arrows; forces:50 "
-                "is 50 N per metre), islands (one colour each), rest (asleep, still or moving), no-contacts (lines "
-                "between bodies that may not touch), thrust (the line of thrust), trails (paths of the last "
-                "second; trails:0.5: half a second)",
-                "a comma-separated list of contacts, forces, torques, push, velocities, islands, rest, "
-                "no-contacts, thrust, trails, each once, with islands or rest; forces, torques, push and "
-                "velocities may have a scale like forces:50, trails seconds, from 1e-12 to 1e12",
-                set_overlay, [](const FrameChoices& c) { return to_text(c.overlay); },
-                of_pictures | of_models | of_run},
+    FrameOption{{"caption", "on|off", "time, scene and options in the picture [on]", "on or off",
+                 parsed(parse_switch, &FrameChoices::caption),
+                 [](const FrameChoices& c) { return c.caption ? "" : "off"; }}},
     FrameOption{
-        "compare", "OPTION=V1,V2,...",
-        "panels side by side that differ in an option, preset or parameter: push=none,persistent,single-frame",
-        fmt::format("OPTION=V1,V2,... with 2 to {} different values", most_panels), set_compare, get_compare,
+        {"overlay", "WHAT",
+         "comma-separated list of contacts, forces, torques, push, velocities (points and arrows; forces:50 "
+         "is 50 N per metre), islands (one colour each), rest (asleep, still or moving), no-contacts (lines "
+         "between bodies that may not touch), thrust (the line of thrust), trails (paths of the last "
+         "second; trails:0.5: half a second)",
+         "a comma-separated list of contacts, forces, torques, push, velocities, islands, rest, "
+         "no-contacts, thrust, trails, each once, with islands or rest; forces, torques, push and "
+         "velocities may have a scale like forces:50, trails seconds, from 1e-12 to 1e12",
+         parsed(parse_overlay, &FrameChoices::overlay), [](const FrameChoices& c) { return to_text(c.overlay); }},
+        of_pictures | of_models | of_run},
+    FrameOption{
+        {"compare", "OPTION=V1,V2,...",
+         "panels side by side that differ in an option, preset or parameter: push=none,persistent,single-frame",
+         fmt::format("OPTION=V1,V2,... with 2 to {} different values", most_panels),
+         parsed(parse_comparison, &FrameChoices::compare),
+         [](const FrameChoices& c) { return text_of(c.compare); }},
         of_pictures | of_models},
-    FrameOption{"gl", "osmesa|egl",
-                "OpenGL back end; both give identical images [osmesa, or egl where that is not installed]",
-                "osmesa or egl", set_gl, [](const FrameChoices& c) { return c.gl; }},
+    FrameOption{{"gl", "osmesa|egl",
+                 "OpenGL back end; both give identical images [osmesa, or egl where that is not installed]",
+                 "osmesa or egl", parsed(parse_gl, &FrameChoices::gl), [](const FrameChoices& c) { return c.gl; }}},
 };
 
 // Frame rates nearest to `fps` whose frames fall on steps at play speed `speed`; integers if possible.

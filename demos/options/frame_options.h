@@ -1,8 +1,8 @@
 // Frame options: which times of a run are drawn, and how.
 #pragma once
 
-#include "demos/options/camera_choice.h"
-#include "demos/options/overlay_choice.h"
+#include "demos/options/look_choices.h"
+#include "demos/options/option_table.h"
 #include "demos/text/rational.h"
 
 #include <optional>
@@ -49,14 +49,8 @@ enum FrameUse : unsigned {
     of_run = 32,        // of these, also in the command run
 };
 
-struct FrameOption {
-    std::string_view name;
-    std::string_view placeholder;
-    std::string_view help;
-    std::string allowed;
-    bool (*set)(FrameChoices& choices, std::string_view text);
-    std::string (*get)(const FrameChoices& choices);  // empty when not given
-    unsigned uses = of_pictures;                      // FrameUse
+struct FrameOption : TextOption<FrameChoices> {
+    unsigned uses = of_pictures;  // FrameUse
 };
 
 std::span<const FrameOption> frame_options();

@@ -4,7 +4,7 @@
 #include "demos/options/named_run.h"
 #include "demos/options/simulation_options.h"
 #include "demos/pages/html.h"
-#include "demos/pictures/live/menu.h"
+#include "demos/pictures/live/live_run.h"
 #include "demos/platform/assets.h"
 #include "demos/platform/output_file.h"
 #include "demos/platform/shell_words.h"

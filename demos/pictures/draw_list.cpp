@@ -31,16 +31,23 @@ void add_plane(const BuiltScene& scene, const engine::Body& body, renderer::Pict
     if (!panel.corners.empty()) picture.panels.push_back(panel);
 }
 
-// Slender compared with its length and with the bodies that hang on it; a ball joint is drawn as a ball.
-double bar_radius(const engine::Distance& distance, const BuiltScene& scene) {
-    double radius = is_ball_joint(distance) ? 0.04 : std::min(0.015 * distance.length, 0.04);
-    for (const int end : {distance.body_a, distance.body_b}) {
+// Of the bodies with a mass that hang on it; infinite without.
+template <typename Held>
+double smallest_radius(const Held& held, const BuiltScene& scene) {
+    double radius = std::numeric_limits<double>::infinity();
+    for (const int end : {held.body_a, held.body_b}) {
         const auto i = static_cast<std::size_t>(end);
         if (i < scene.bodies.size() && scene.bodies[i].mass) {
-            radius = std::min(radius, 0.13 * bounding_radius(scene.bodies[i]));
+            radius = std::min(radius, bounding_radius(scene.bodies[i]));
         }
     }
     return radius;
+}
+
+// Slender compared with its length and with the bodies that hang on it; a ball joint is drawn as a ball.
+double bar_radius(const engine::Distance& distance, const BuiltScene& scene) {
+    const double radius = is_ball_joint(distance) ? 0.04 : std::min(0.015 * distance.length, 0.04);
+    return std::min(radius, 0.13 * smallest_radius(distance, scene));
 }
 
 // Visible from the scene's usual view.
@@ -172,13 +179,7 @@ std::vector<Link> links_of(const BuiltScene& scene) {
     }
     if (!scene.joints) return links;
     for (const engine::Joint& joint : scene.joints->joints()) {
-        double size = std::numeric_limits<double>::infinity();
-        for (const int end : {joint.body_a, joint.body_b}) {
-            const auto i = static_cast<std::size_t>(end);
-            if (i < scene.bodies.size() && scene.bodies[i].mass) {
-                size = std::min(size, bounding_radius(scene.bodies[i]));
-            }
-        }
+        const double size = smallest_radius(joint, scene);
         links.push_back({.body_a = joint.body_a,
                          .body_b = joint.body_b,
                          .point_a = joint.point_a,

@@ -1,6 +1,7 @@
 // Text on pictures: captions, panel names, legends.
 #pragma once
 
+#include "demos/options/choices.h"
 #include "demos/text/palette.h"
 #include "renderer/images/canvas.h"
 #include "renderer/text/font.h"
@@ -54,5 +55,9 @@ float letter_size(int height);
 
 // Height that so many lines of a legend take, or a caption, which is one line.
 float legend_height(std::size_t lines, float size);
+
+// The scene, the preset, and every option that differs from it: "stack   preset paper   beta 0.4". The compared
+// option is left out: it is in the panels' labels.
+std::string caption_of(const Choices& choices);
 
 }  // namespace pushfactor::demos::pictures

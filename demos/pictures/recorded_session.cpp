@@ -7,8 +7,8 @@
 namespace pushfactor::demos::pictures {
 
 RecordedSession::RecordedSession(const Sequence& sequence, const RunFiles& files, bool timing,
-                                 std::filesystem::path folder, SurveyOnce& survey)
-    : session(sequence, timing), recorder(session, files, timing, std::move(folder)) {
+                                 std::filesystem::path folder, SurveyOnce& survey, std::vector<BuiltScene> built)
+    : session(sequence, timing, {}, std::move(built)), recorder(session, files, timing, std::move(folder)) {
     if (files.glb) recorder.add(glb_record(*files.glb, sequence.panels, survey, session.run(0)));
     if (!files.replay) return;
     replay.emplace(

@@ -15,7 +15,7 @@ namespace pushfactor::demos::pictures {
 
 struct RecordedSession {
     RecordedSession(const Sequence& sequence, const RunFiles& files, bool timing, std::filesystem::path folder,
-                    SurveyOnce& survey);
+                    SurveyOnce& survey, std::vector<BuiltScene> built = {});
 
     // Does what plays the session. If something stops it, the files keep the steps so far.
     void play(const std::function<void()>& work);

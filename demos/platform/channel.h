@@ -1,11 +1,14 @@
-// A bounded queue between threads.
+// A bounded queue between threads, and a thread that fills one.
 #pragma once
 
 #include <condition_variable>
 #include <cstddef>
 #include <deque>
+#include <exception>
+#include <functional>
 #include <mutex>
 #include <optional>
+#include <thread>
 
 namespace pushfactor::demos {
 
@@ -55,6 +58,45 @@ class Channel {
     std::condition_variable changed_;
     std::deque<T> things_;
     bool closed_ = false;
+};
+
+// Produces items on a background thread, at most `ahead` more than have been taken.
+template <typename T>
+class Producer {
+  public:
+    // `make` sends items into the channel until it is done or the channel is closed. It starts at once; what it
+    // uses must outlive this object.
+    Producer(std::size_t ahead, std::function<void(Channel<T>&)> make) : channel_(ahead) {
+        thread_ = std::thread([this, make = std::move(make)] {
+            try {
+                make(channel_);
+            } catch (...) {
+                error_ = std::current_exception();
+            }
+            channel_.close();
+        });
+    }
+
+    ~Producer() {
+        channel_.close();
+        if (thread_.joinable()) thread_.join();
+    }
+    Producer(const Producer&) = delete;
+    Producer& operator=(const Producer&) = delete;
+
+    // The next item. After the last one throws what `make` threw, or returns none.
+    std::optional<T> next() {
+        std::optional<T> thing = channel_.receive();
+        if (thing) return thing;
+        if (thread_.joinable()) thread_.join();
+        if (error_) std::rethrow_exception(error_);
+        return std::nullopt;
+    }
+
+  private:
+    Channel<T> channel_;
+    std::exception_ptr error_;  // of the thread; read after joining
+    std::thread thread_;
 };
 
 }  // namespace pushfactor::demos

@@ -16,8 +16,7 @@ namespace pushfactor::demos {
 
 // A tool that is missing, does not start or fails. The message is one line and ends with the last lines of the
 // tool's standard error.
-class ChildProcessError : public std::runtime_error {
-  public:
+struct ChildProcessError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 

@@ -3,8 +3,13 @@
 #include <sched.h>
 
 #include <algorithm>
+#include <ctime>
 #include <fstream>
 #include <string>
+
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 namespace pushfactor::demos {
 
@@ -43,6 +48,21 @@ std::optional<double> processor_limit(const fs::path& files, const fs::path& own
         if (limit) least = std::min(limit.value(), least.value_or(*limit));
         if (group.empty()) return least;
     }
+}
+
+double thread_cpu_us() {
+    std::timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) * 1e6 + static_cast<double>(now.tv_nsec) * 1e-3;
+}
+
+std::optional<double> heap_bytes() {
+#ifdef __GLIBC__
+    const auto info = mallinfo2();
+    return static_cast<double>(info.uordblks + info.hblkhd);
+#else
+    return {};
+#endif
 }
 
 }  // namespace pushfactor::demos

@@ -1,4 +1,4 @@
-// Processors that the process may use.
+// Processors and memory of the process.
 #pragma once
 
 #include <filesystem>
@@ -14,5 +14,11 @@ int usable_cores();
 // above it.
 std::optional<double> processor_limit(const std::filesystem::path& files = "/sys/fs/cgroup",
                                       const std::filesystem::path& own = "/proc/self/cgroup");
+
+// CPU time of this thread in us.
+double thread_cpu_us();
+
+// Bytes in use by all threads; none where the C library does not tell.
+std::optional<double> heap_bytes();
 
 }  // namespace pushfactor::demos

@@ -1,12 +1,12 @@
 #include "demos/runs/measurements.h"
 
 #include "demos/text/errors.h"
-#include "engine/base/overloaded.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -55,11 +55,7 @@ double judged_speed(const BuiltScene& scene, double size) {
 
 // Distance of its corners from the centre [m]; 0 for round shapes, which look the same when turned.
 double corner_distance(const BodyDescription& body) {
-    return std::visit(
-        engine::Overloaded{[](const BoxShape& box) { return 0.5 * box.size.norm(); },
-                           [](const SphereShape&) { return 0.0; }, [](const PlaneShape&) { return 0.0; },
-                           [](const PolyhedronShape& polyhedron) { return polyhedron.radius(); }},
-        body.shape);
+    return std::holds_alternative<SphereShape>(body.shape) ? 0.0 : bounding_radius(body);
 }
 
 // corner_distance() of the movable bodies.
@@ -98,25 +94,8 @@ bool is_free(const engine::World& world, const Body& body) {
 }  // namespace
 
 std::string_view name_of(Outcome outcome) {
-    switch (outcome) {
-        case Outcome::fly:
-            return "fly";
-        case Outcome::tunnel:
-            return "tunnel";
-        case Outcome::torn:
-            return "torn";
-        case Outcome::fall:
-            return "fall";
-        case Outcome::moving:
-            return "moving";
-        case Outcome::creep:
-            return "creep";
-        case Outcome::jitter:
-            return "jitter";
-        case Outcome::rest:
-            break;
-    }
-    return "rest";
+    constexpr std::array names{"fly", "tunnel", "torn", "fall", "moving", "creep", "jitter", "rest"};
+    return names[static_cast<std::size_t>(outcome)];
 }
 
 void SubstepCount::add(const Sample& sample) {

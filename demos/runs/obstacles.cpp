@@ -4,6 +4,7 @@
 #include "engine/collision/polyhedron.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace pushfactor::demos {
 
@@ -49,60 +50,42 @@ Obstacles::Obstacles(const BuiltScene& scene) {
 
 void Obstacles::follow(const BuiltScene& scene) {
     if (!scene.world.moves_any()) return;
-    const std::vector<Box> boxes = std::move(boxes_);
-    const std::vector<Sphere> spheres = std::move(spheres_);
-    const std::vector<Polyhedron> polyhedra = std::move(polyhedra_);
-    planes_.clear();
-    boxes_.clear();
-    spheres_.clear();
-    polyhedra_.clear();
+    const std::vector<Obstacle> before = std::exchange(all_, {});
     list(scene);
-    for (std::size_t i = 0; i < boxes.size(); ++i) boxes_[i].before = boxes[i].now;
-    for (std::size_t i = 0; i < spheres.size(); ++i) spheres_[i].before = spheres[i].now;
-    for (std::size_t i = 0; i < polyhedra.size(); ++i) polyhedra_[i].before = polyhedra[i].now;
+    for (std::size_t i = 0; i < before.size(); ++i) all_[i].before = before[i].now;
 }
 
 void Obstacles::list(const BuiltScene& scene) {
     if (!scene.contacts) return;
     for (const auto& collider : scene.contacts->colliders()) {
         const engine::Body& body = scene.world.bodies[static_cast<std::size_t>(collider.body)];
-        if (!body.is_static()) continue;
         const Pose pose{body.position, body.orientation.conjugate()};
-        std::visit(engine::Overloaded{[&](const engine::collision::Plane&) {
-                                          planes_.push_back({body.position, body.orientation * Vector3::UnitY()});
-                                      },
-                                      [&](const engine::collision::Box& box) {
-                                          boxes_.push_back({pose, pose, box.half_size});
-                                      },
-                                      [&](const engine::collision::Sphere& sphere) {
-                                          spheres_.push_back({pose, pose, sphere.radius});
-                                      },
-                                      [&](const engine::collision::Polyhedron& polyhedron) {
-                                          polyhedra_.push_back({pose, pose, polyhedron.mesh});
-                                      }},
-                   collider.shape);
+        if (body.is_static()) all_.push_back({pose, pose, collider.shape});
     }
 }
 
 bool Obstacles::is_behind_plane(const Vector3& centre) const {
-    return std::any_of(planes_.begin(), planes_.end(),
-                       [&](const Plane& plane) { return plane.normal.dot(centre - plane.point) < 0.0; });
+    return std::any_of(all_.begin(), all_.end(), [&](const Obstacle& obstacle) {
+        return std::holds_alternative<engine::collision::Plane>(obstacle.shape) &&
+               (obstacle.now.from_world.conjugate() * Vector3::UnitY()).dot(centre - obstacle.now.centre) < 0.0;
+    });
 }
 
 bool Obstacles::is_passed(const Vector3& from, const Vector3& to) const {
-    const auto passes_box = [&](const Box& box) {
-        return crosses_middle(box.before.in_frame(from), box.now.in_frame(to), box.half_size);
-    };
-    const auto passes_sphere = [&](const Sphere& sphere) {
-        return distance_to_way(Vector3::Zero(), sphere.before.in_frame(from), sphere.now.in_frame(to)) <
-               0.5 * sphere.radius;
-    };
-    const auto passes_polyhedron = [&](const Polyhedron& polyhedron) {
-        return crosses_core(polyhedron.before.in_frame(from), polyhedron.now.in_frame(to), polyhedron.mesh->hull());
-    };
-    return std::any_of(boxes_.begin(), boxes_.end(), passes_box) ||
-           std::any_of(spheres_.begin(), spheres_.end(), passes_sphere) ||
-           std::any_of(polyhedra_.begin(), polyhedra_.end(), passes_polyhedron);
+    return std::any_of(all_.begin(), all_.end(), [&](const Obstacle& obstacle) {
+        const Vector3 a = obstacle.before.in_frame(from), b = obstacle.now.in_frame(to);
+        return std::visit(
+            engine::Overloaded{
+                [](const engine::collision::Plane&) { return false; },
+                [&](const engine::collision::Box& box) { return crosses_middle(a, b, box.half_size); },
+                [&](const engine::collision::Sphere& sphere) {
+                    return distance_to_way(Vector3::Zero(), a, b) < 0.5 * sphere.radius;
+                },
+                [&](const engine::collision::Polyhedron& polyhedron) {
+                    return crosses_core(a, b, polyhedron.mesh->hull());
+                }},
+            obstacle.shape);
+    });
 }
 
 }  // namespace pushfactor::demos

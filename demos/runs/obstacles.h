@@ -10,13 +10,11 @@ namespace pushfactor::demos {
 class Obstacles {
   public:
     explicit Obstacles(const BuiltScene& scene);
-
     // After each step, if any body has a path.
     void follow(const BuiltScene& scene);
 
     // Whether a centre is on the wrong side of a plane. Positions in m, world frame.
     bool is_behind_plane(const engine::Vector3& centre) const;
-
     // Whether a centre that moves straight from one place to the other gets to the other side of a box between its
     // faces, or as deep as half its radius into a sphere, or into the inner half of a polyhedron: bodies that touch
     // and roll off come nowhere near that. `from` belongs to the step before; relative to an obstacle that has
@@ -24,34 +22,20 @@ class Obstacles {
     bool is_passed(const engine::Vector3& from, const engine::Vector3& to) const;
 
   private:
-    struct Plane {
-        engine::Vector3 point, normal;
-    };
     struct Pose {
         engine::Vector3 centre;
         engine::Quaternion from_world;
 
         engine::Vector3 in_frame(const engine::Vector3& point) const { return from_world * (point - centre); }
     };
-    struct Box {
+    struct Obstacle {
         Pose before, now;
-        engine::Vector3 half_size;
-    };
-    struct Sphere {
-        Pose before, now;
-        double radius = 0.0;  // m
-    };
-    struct Polyhedron {
-        Pose before, now;
-        std::shared_ptr<const engine::collision::PolyhedronMesh> mesh;
+        engine::collision::Shape shape;
     };
 
     void list(const BuiltScene& scene);
 
-    std::vector<Plane> planes_;
-    std::vector<Box> boxes_;
-    std::vector<Sphere> spheres_;
-    std::vector<Polyhedron> polyhedra_;
+    std::vector<Obstacle> all_;
 };
 
 }  // namespace pushfactor::demos

@@ -3,7 +3,6 @@
 #include "demos/platform/output_file.h"
 #include "demos/platform/version.h"
 #include "demos/runs/summary.h"
-#include "demos/runs/warnings.h"
 #include "demos/scenes/scene_file.h"
 #include "demos/text/errors.h"
 #include "demos/text/json.h"
@@ -82,13 +81,7 @@ std::vector<std::string> Recorder::finish() {
 std::string Recorder::keep_records() {
     std::string text;
     for (const auto& record : records_) {
-        try {
-            record->finish();
-            text += fmt::format("pushfactor: note: {} holds the run up to step {}, where it stopped\n",
-                                record->file_name(), last_recorded_);
-        } catch (const OutputError& error) {
-            text += fmt::format("pushfactor: note: {}\n", error.what());
-        }
+        text += kept(record->file_name(), fmt::format("step {}", last_recorded_), [&] { record->finish(); });
     }
     return text;
 }

@@ -1,12 +1,19 @@
-// Files that grow with a run, and those that are CSV: one class per file, units in the column names.
+// Files that grow with a run, and those that are CSV, with units in the column names.
 #pragma once
 
 #include "demos/platform/output_file.h"
 #include "demos/runs/simulation.h"
 
+#include <functional>
 #include <memory>
+#include <string>
+#include <string_view>
 
 namespace pushfactor::demos {
+
+// Completes a file with what there is so far, `until` where; returns a note, or the reason why it could not be
+// written.
+std::string kept(const std::string& file, const std::string& until, const std::function<void()>& finish);
 
 class Record {
   public:
@@ -15,6 +22,8 @@ class Record {
     virtual void finish() = 0;                               // completes the file with the steps so far
     virtual std::string file_name() const = 0;
 };
+
+std::string_view name_of(engine::RowKind kind);
 
 // One line per step. The column `step_us` only with `timing`, so that equal runs give equal files.
 std::unique_ptr<Record> steps_record(const std::filesystem::path& path, bool timing);

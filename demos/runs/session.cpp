@@ -1,6 +1,6 @@
 #include "demos/runs/session.h"
 
-#include "demos/platform/cpu_clock.h"
+#include "demos/platform/processors.h"
 
 #include <fmt/format.h>
 
@@ -36,14 +36,13 @@ Sequence plan_sequence(const std::string& scene, const GivenOptions& given) {
     return sequence;
 }
 
-Session::Session(Sequence sequence, bool timing, GoTo go_to)
+Session::Session(Sequence sequence, bool timing, GoTo go_to, std::vector<BuiltScene> built)
     : sequence_(std::move(sequence)), go_to_(std::move(go_to)) {
-    for (const ComparedRun& panel : sequence_.panels) {
-        if (timing) {
-            runs_.emplace_back(panel.choices.on_one_thread(), thread_cpu_us);
-        } else {
-            runs_.emplace_back(panel.choices);
-        }
+    for (std::size_t i = 0; i < sequence_.panels.size(); ++i) {
+        const Choices choices = timing ? sequence_.panels[i].choices.on_one_thread() : sequence_.panels[i].choices;
+        BuiltScene scene = i < built.size() ? std::move(built[i]) : build_scene(choices);
+        scene.view = choices.description.view;
+        runs_.emplace_back(std::move(scene), choices.settings, timing ? thread_cpu_us : nullptr);
     }
 }
 

@@ -49,8 +49,8 @@ class Session {
     using GoTo = std::function<void(Simulation& run, long step)>;
 
     // The runs at their start; with `timing` each on one thread, whose CPU time is measured. With `go_to` they are
-    // brought to their frames by it, not stepped.
-    explicit Session(Sequence sequence, bool timing = false, GoTo go_to = {});
+    // brought to their frames by it, not stepped. `built`: the scenes of the runs, where they have been built.
+    explicit Session(Sequence sequence, bool timing = false, GoTo go_to = {}, std::vector<BuiltScene> built = {});
 
     const Sequence& sequence() const { return sequence_; }
     const Choices& choices(std::size_t panel) const { return sequence_.panels[panel].choices; }

@@ -25,16 +25,13 @@ int whole(double parts) {
 std::vector<StepRule> step_rules(const BuiltScene& scene) {
     using engine::World;
     std::vector<StepRule> rules;
-    if (const auto* distances = scene.distances) {
-        rules.push_back(
-            {"tension", [distances](const World& w) { return tension_rate(*distances, w.bodies); }, true});
-        rules.push_back(
-            {"turning", [distances](const World& w) { return turning_rate(*distances, w.bodies); }, false});
-    }
-    if (const auto* joints = scene.joints) {
-        rules.push_back({"tension", [joints](const World& w) { return tension_rate(*joints, w.bodies); }, true});
-        rules.push_back({"turning", [joints](const World& w) { return turning_rate(*joints, w.bodies); }, false});
-    }
+    const auto add = [&rules](const auto* held) {
+        if (!held) return;
+        rules.push_back({"tension", [held](const World& w) { return tension_rate(*held, w.bodies); }, true});
+        rules.push_back({"turning", [held](const World& w) { return turning_rate(*held, w.bodies); }, false});
+    };
+    add(scene.distances);
+    add(scene.joints);
     return rules;
 }
 

@@ -1,7 +1,6 @@
 #include "demos/scenes/catalogue.h"
 
 #include "demos/scenes/named/arch.h"
-#include "demos/scenes/named/funnel.h"
 #include "demos/scenes/named/named_scenes.h"
 #include "demos/scenes/named/platonic.h"
 
@@ -43,8 +42,7 @@ std::span<const SceneEntry> catalogue() {
 
 const SceneEntry* find_scene(std::string_view name) {
     const auto scenes = catalogue();
-    const auto found =
-        std::find_if(scenes.begin(), scenes.end(), [name](const SceneEntry& entry) { return entry.name == name; });
+    const auto found = std::ranges::find(scenes, name, &SceneEntry::name);
     return found == scenes.end() ? nullptr : &*found;
 }
 

@@ -1,15 +1,7 @@
 #include "demos/scenes/scene_file.h"
 
-#include "demos/scenes/camera_file.h"
-#include "demos/scenes/motions/motion_file.h"
-#include "demos/scenes/reading/bodies.h"
-#include "demos/scenes/reading/connections.h"
-#include "demos/scenes/reading/fields.h"
-#include "demos/scenes/reading/polyhedra.h"
-#include "demos/scenes/scene_file_words.h"
-#include "demos/scenes/state_file.h"
+#include "demos/scenes/reading/parts.h"
 #include "demos/text/errors.h"
-#include "demos/text/json_file.h"
 #include "demos/text/json_reader.h"
 #include "demos/text/palette.h"
 #include "demos/text/utf8.h"
@@ -19,14 +11,37 @@
 
 namespace pushfactor::demos {
 
+void describe(Fields& fields, View& view) {
+    const auto place = [](const JsonReader& json) {
+        const engine::Vector3 point = json.vector();
+        if (point.cwiseAbs().maxCoeff() > 1e9) json.refuse("three numbers from -1e9 to 1e9");
+        return point;
+    };
+    fields.must("eye_m", view.eye, place);
+    fields.must("target_m", view.target, place);
+    fields.may("field_of_view_deg", view.field_of_view, between(1.0, 120.0),
+               view.field_of_view != View{}.field_of_view);
+    fields.if_any("floor_m", view.floor, between(-1e9, 1e9));
+}
+
+void describe(Fields& fields, MaterialPairDescription& pair) {
+    fields.must("a", pair.a, read_name);
+    fields.must("b", pair.b, read_name);
+    fields.if_any("friction", pair.friction, between(0.0, 100.0));
+    fields.if_any("restitution", pair.restitution, between(0.0, 1.0));
+}
+
 namespace {
 
-using engine::Vector3;
+using NoContact = std::pair<std::string, std::string>;
 
-const Keys scene_keys{"version", "name",    "gravity_m_per_s2", "bodies",      "distance_constraints",
-                      "joints",  "forces",  "contacts",         "no_contacts", "material_pairs",
-                      "state",   "options", "camera",           "colours"};
-const Keys material_pair_keys{"a", "b", "friction", "restitution"};
+constexpr int scene_file_version = 1;
+
+View read_camera(const JsonReader& json) {
+    const auto view = read_object<View>(json);
+    if (view.eye == view.target) json.at("target_m").refuse("another point than eye_m");
+    return view;
+}
 
 // Of a scene that does not say its own.
 std::string name_of_file(const std::filesystem::path& file) {
@@ -35,32 +50,29 @@ std::string name_of_file(const std::filesystem::path& file) {
     return stem.empty() ? "scene" : utf8(stem);
 }
 
-std::pair<std::string, std::string> read_no_contact(const JsonReader& json, const BodyNames& names) {
+NoContact read_no_contact(const JsonReader& json, const BodyNames& names) {
     const std::vector<JsonReader> ends = json.elements();
     if (ends.size() != 2) json.refuse("two names of bodies");
-    std::pair<std::string, std::string> pair{read_body_name(ends[0], names, false),
-                                             read_body_name(ends[1], names, false)};
+    NoContact pair{read_body_name(ends[0], names, false), read_body_name(ends[1], names, false)};
     if (pair.first == pair.second) ends[1].refuse("another body than the first");
     return pair;
 }
 
-void read_material_pairs(const JsonReader& json, SceneDescription& scene) {
+std::vector<MaterialPairDescription> read_material_pairs(const JsonReader& json, const SceneDescription& scene) {
     std::set<std::string> known;
     for (const BodyDescription& body : scene.bodies) known.insert(body.material);
-    const auto material = [&](const JsonReader& name) {
-        if (!known.contains(read_name(name))) name.refuse("the material of a body");
-        return name.string();
-    };
     std::set<std::pair<std::string, std::string>> pairs;
+    std::vector<MaterialPairDescription> list;
     for (const JsonReader& entry : json.elements()) {
-        entry.require_object(material_pair_keys);
-        MaterialPairDescription pair{.a = material(entry.at("a")), .b = material(entry.at("b"))};
+        const auto pair = read_object<MaterialPairDescription>(entry);
+        for (const char* const key : {"a", "b"}) {
+            if (!known.contains(entry.at(key).string())) entry.at(key).refuse("the material of a body");
+        }
         if (!pairs.insert(std::minmax(pair.a, pair.b)).second) entry.refuse("a pair that is listed once");
-        if (entry.has("friction")) pair.friction = entry.at("friction").number(0.0, 100.0);
-        if (entry.has("restitution")) pair.restitution = entry.at("restitution").number(0.0, 1.0);
         if (!pair.friction && !pair.restitution) entry.refuse("given friction or restitution, or both");
-        scene.materials.push_back(pair);
+        list.push_back(pair);
     }
+    return list;
 }
 
 void read_options(const JsonReader& json, SceneDescription& scene) {
@@ -83,40 +95,81 @@ void read_colours(const JsonReader& json, SceneDescription& scene) {
     }
 }
 
-SceneDescription read_scene(const JsonReader& json, const std::filesystem::path& file) {
-    json.require_object(scene_keys);
-    SceneDescription scene;
-    scene.name = json.has("name") ? json.at("name").string() : name_of_file(file);
-    // It becomes the name of a folder of frames, so it must not lead elsewhere.
-    const bool plain =
-        !scene.name.empty() && scene.name.front() != '.' && scene.name.find('/') == std::string::npos;
-    if (json.has("name") && !plain) json.at("name").refuse("a name without slashes that does not begin with a dot");
-    if (json.at("version").number(0, 1e9) != scene_file_version)
-        json.at("version").refuse(std::to_string(scene_file_version));
-    scene.gravity = json.has("gravity_m_per_s2") ? json.at("gravity_m_per_s2").vector() : Vector3::Zero();
+// It becomes the name of a folder of frames, so it must not lead elsewhere.
+std::string read_scene_name(const JsonReader& json) {
+    const std::string name = json.string();
+    const bool plain = !name.empty() && name.front() != '.' && name.find('/') == std::string::npos;
+    if (!plain) json.refuse("a name without slashes that does not begin with a dot");
+    return name;
+}
 
+int read_version(const JsonReader& json) {
+    if (json.number(0, 1e9) != scene_file_version) json.refuse(std::to_string(scene_file_version));
+    return scene_file_version;
+}
+
+// All but state, options, camera and colours.
+void describe(Fields& fields, SceneDescription& scene, const std::filesystem::path& folder) {
     BodyNames names;
-    Polyhedra polyhedra{.folder = file.parent_path()};
-    read_bodies(json.at("bodies"), scene, names, polyhedra);
-    if (json.has("distance_constraints")) {
-        for (const JsonReader& entry : json.at("distance_constraints").elements()) {
-            scene.distances.push_back(to_body_frames(read_distance(entry, names), polyhedra));
-        }
-    }
-    if (json.has("joints")) {
-        for (const JsonReader& entry : json.at("joints").elements())
-            scene.joints.push_back(to_body_frames(read_joint(entry, names), polyhedra));
-    }
-    if (json.has("forces")) {
-        for (const JsonReader& entry : json.at("forces").elements())
-            scene.forces.push_back(to_body_frame(read_force(entry, names), entry.has("point_m"), polyhedra));
-    }
-    scene.contacts = json.has("contacts") && json.at("contacts").boolean();
-    if (json.has("no_contacts")) {
-        for (const JsonReader& entry : json.at("no_contacts").elements())
-            scene.no_contacts.push_back(read_no_contact(entry, names));
-    }
-    if (json.has("material_pairs")) read_material_pairs(json.at("material_pairs"), scene);
+    Polyhedra polyhedra{.folder = folder};
+    // The entries of a list; `read` gets what has been read of the scene so far.
+    const auto each = [&](const auto& read) {
+        return [&](const JsonReader& json) {
+            std::vector<decltype(read(json, names, polyhedra))> list;
+            for (const JsonReader& entry : json.elements()) list.push_back(read(entry, names, polyhedra));
+            return list;
+        };
+    };
+    int version = scene_file_version;
+    fields.must("version", version, read_version);
+    fields.may("name", scene.name, read_scene_name);
+    fields.if_any("gravity_m_per_s2", scene.gravity, &JsonReader::vector);
+    fields.must("bodies", scene.bodies,
+                [&](const JsonReader& json) { return read_bodies(json, names, polyhedra); });
+    fields.if_any("distance_constraints", scene.distances, each(read_distance));
+    fields.if_any("joints", scene.joints, each(read_joint));
+    fields.if_any("forces", scene.forces, each(read_force));
+    fields.if_any("contacts", scene.contacts, &JsonReader::boolean);
+    fields.if_any("no_contacts", scene.no_contacts,
+                  each([](const auto& json, const auto& of, const auto&) { return read_no_contact(json, of); }));
+    fields.if_any("material_pairs", scene.materials,
+                  [&](const JsonReader& json) { return read_material_pairs(json, scene); });
+}
+
+const Keys& scene_keys() {
+    static const Keys keys = [] {
+        Keys all;
+        Fields fields(all);
+        SceneDescription scene;
+        describe(fields, scene, "");
+        return joined({all, {"state", "options", "camera", "colours"}});
+    }();
+    return keys;
+}
+
+}  // namespace
+
+const std::map<std::string, std::vector<std::string>>& scene_file_keys() {
+    static const KeysByObject keys = [] {
+        KeysByObject all{{"scene", scene_keys()},
+                         {"body", body_keys()},
+                         {"material_pair", keys_of<MaterialPairDescription>()},
+                         {"camera", keys_of<View>()}};
+        for (KeysByObject more : {state_keys(), motion_file_keys(), connection_keys()}) all.merge(more);
+        return all;
+    }();
+    return keys;
+}
+
+SceneDescription read_scene_file(const std::filesystem::path& file) {
+    const Json document = read_json_file(file, file.string());
+    const JsonReader json(document, file.string());
+    json.require_object(scene_keys());
+    SceneDescription scene;
+    scene.name = name_of_file(file);
+    scene.gravity.setZero();
+    Fields fields(json);
+    describe(fields, scene, file.parent_path());
     if (json.has("state")) scene.state = std::make_shared<RunState>(read_state(json.at("state"), scene));
     if (json.has("options")) read_options(json.at("options"), scene);
     scene.has_camera = json.has("camera");
@@ -125,25 +178,23 @@ SceneDescription read_scene(const JsonReader& json, const std::filesystem::path&
     return scene;
 }
 
-}  // namespace
-
-const std::map<std::string, std::vector<std::string>>& scene_file_keys() {
-    static const std::map<std::string, std::vector<std::string>> keys = [] {
-        std::map<std::string, std::vector<std::string>> all = state_file_keys();
-        all.insert(motion_file_keys().begin(), motion_file_keys().end());
-        all.merge(connection_keys());
-        all.insert({{"scene", scene_keys},
-                    {"body", body_keys()},
-                    {"material_pair", material_pair_keys},
-                    {"camera", {camera_keys().begin(), camera_keys().end()}}});
-        return all;
-    }();
-    return keys;
+View read_camera_file(const std::filesystem::path& file) {
+    const Json json = read_json_file(file, "--camera " + file.string());
+    return read_camera(JsonReader(json, file.string()));
 }
 
-SceneDescription read_scene_file(const std::filesystem::path& file) {
-    const Json json = read_json_file(file, file.string());
-    return read_scene(JsonReader(json, file.string()), file);
+std::string scene_file_text(const SceneDescription& scene) {
+    Json json;
+    Fields fields(json);
+    SceneDescription written = scene;
+    describe(fields, written, "");
+    if (scene.state) json["state"] = state_json(*scene.state, scene);
+    for (const auto& [name, text] : scene.options) json["options"][name] = json_of(text);
+    if (scene.has_camera) json["camera"] = to_json(scene.view);
+    for (const BodyDescription& body : scene.bodies) {
+        if (body.colour) json["colours"][body.name] = *body.colour;
+    }
+    return json_text(json);
 }
 
 }  // namespace pushfactor::demos

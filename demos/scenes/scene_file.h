@@ -13,6 +13,9 @@ namespace pushfactor::demos {
 // Throws UsageError, one line: the file, the path inside it, the value and what is allowed.
 SceneDescription read_scene_file(const std::filesystem::path& file);
 
+// A camera in a file of its own, with the keys of "camera" in a scene file.
+View read_camera_file(const std::filesystem::path& file);
+
 // The JSON text of a scene; read back, it gives the same description, number for number.
 std::string scene_file_text(const SceneDescription& scene);
 

@@ -1,14 +1,18 @@
 #include "demos/text/json_reader.h"
 
 #include "demos/text/errors.h"
+#include "demos/text/input.h"
 #include "demos/text/numbers.h"
 #include "demos/text/suggest.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <limits>
+#include <set>
+#include <vector>
 
 namespace pushfactor::demos {
 
@@ -111,6 +115,138 @@ engine::Quaternion JsonReader::rotation() const {
     engine::Quaternion q(n[0], n[1], n[2], n[3]);
     if (std::abs(q.norm() - 1.0) > 1e-6) refuse(allowed);
     return q;
+}
+
+namespace {
+
+constexpr std::size_t most_levels = 100;  // what reads values is recursive
+
+// Locates the first error of a document: of its text, a key that is twice in an object, or too many levels.
+class ErrorPlace : public nlohmann::json_sax<Json> {
+  public:
+    // "bodies[0].mass_kg"; empty for the document as a whole.
+    std::string path() const {
+        std::string path;
+        for (const Level& level : levels_) {
+            if (level.index >= 0) {
+                path += fmt::format("[{}]", level.index);
+            } else if (!level.key.empty()) {
+                path += (path.empty() ? "" : ".") + level.key;
+            }
+        }
+        return path;
+    }
+    std::size_t position() const { return position_; }  // bytes that were read
+
+    const std::string& fault() const { return fault_; }  // empty for an error of the text
+
+    bool null() override { return value(); }
+    bool boolean(bool) override { return value(); }
+    bool number_integer(number_integer_t) override { return value(); }
+    bool number_unsigned(number_unsigned_t) override { return value(); }
+    bool number_float(number_float_t, const string_t&) override { return value(); }
+    bool string(string_t& text) override { return has_no_zero(text) && value(); }
+    bool binary(binary_t&) override { return value(); }
+    bool start_object(std::size_t) override { return open({.key = {}, .index = -1}); }
+    bool key(string_t& name) override {
+        levels_.back().key = name;
+        if (!has_no_zero(name)) return false;
+        if (levels_.back().keys.insert(name).second) return true;
+        fault_ = "must be given once";
+        return false;
+    }
+    bool end_object() override { return close(); }
+    bool start_array(std::size_t) override { return open({.key = {}, .index = 0}); }
+    bool end_array() override { return close(); }
+    bool parse_error(std::size_t position, const std::string&, const nlohmann::detail::exception&) override {
+        position_ = position;
+        return false;
+    }
+
+  private:
+    struct Level {
+        std::string key;  // of the value that comes, in an object
+        long index = -1;  // of the value that comes, in an array
+        std::set<std::string> keys{};
+    };
+    bool open(const Level& level) {
+        levels_.push_back(level);
+        if (levels_.size() <= most_levels) return true;
+        fault_ = fmt::format("must have at most {} levels", most_levels);
+        return false;
+    }
+    // It ends the name of a file.
+    bool has_no_zero(const string_t& text) {
+        if (text.find('\0') == string_t::npos) return true;
+        fault_ = "must be without \\u0000";
+        return false;
+    }
+    bool close() {
+        levels_.pop_back();
+        return value();
+    }
+    bool value() {
+        if (!levels_.empty() && levels_.back().index >= 0) ++levels_.back().index;
+        return true;
+    }
+
+    std::vector<Level> levels_;
+    std::size_t position_ = 0;
+    std::string fault_;
+};
+
+// The word of `text` around `position`.
+std::string word_at(const std::string& text, std::size_t position) {
+    constexpr std::size_t longest = 40;
+    const char* const delimiters = " \t\r\n,:[]{}";
+    const std::size_t before = text.find_last_of(delimiters, position - 1);
+    const std::size_t begin = before == std::string::npos ? 0 : before + 1;
+    return text.substr(begin, std::min(text.find_first_of(delimiters, begin) - begin, longest));
+}
+
+// Spellings of non-finite numbers by other programs; JSON has none.
+bool is_not_finite(std::string word) {
+    std::transform(word.begin(), word.end(), word.begin(), [](unsigned char c) { return std::tolower(c); });
+    if (word.starts_with('-') || word.starts_with('+')) word.erase(0, 1);
+    return word == "nan" || word == "inf" || word == "infinity";
+}
+
+[[noreturn]] void refuse(const std::string& label, const std::string& text, const ErrorPlace& place,
+                         const Json::exception& problem) {
+    const std::string path = place.path();
+    const std::string word = word_at(text, std::max<std::size_t>(place.position(), 1));
+    const bool too_large = dynamic_cast<const Json::out_of_range*>(&problem) != nullptr;
+    if (!path.empty() && (too_large || is_not_finite(word))) {
+        throw UsageError(fmt::format("{}: {} {}: must be a finite number", label, path, word));
+    }
+    const std::string what = problem.what();
+    const std::string where = path.empty() ? "" : ", at " + path;
+    throw UsageError(fmt::format("{}: is not JSON{}: {}", label, where, what.substr(what.find("] ") + 2)));
+}
+
+}  // namespace
+
+Json read_json_file(const std::filesystem::path& file, const std::string& label) {
+    const std::string text = read_input(file, label);
+    // The parser takes a zero byte for the end.
+    if (const std::size_t zero = text.find('\0'); zero != std::string::npos) {
+        throw UsageError(fmt::format("{}: is not JSON: byte {} is zero", label, zero + 1));
+    }
+    ErrorPlace place;
+    const bool sound = Json::sax_parse(text, &place);
+    if (!place.fault().empty()) {
+        // Deep paths are long.
+        const std::string path = place.path();
+        throw UsageError(
+            fmt::format("{}: {}{}: {}", label, path.substr(0, 60), path.size() > 60 ? "..." : "", place.fault()));
+    }
+    try {
+        Json json = Json::parse(text);
+        if (sound) return json;
+    } catch (const Json::exception& problem) {
+        refuse(label, text, place, problem);
+    }
+    throw UsageError(fmt::format("{}: is not JSON", label));
 }
 
 }  // namespace pushfactor::demos

@@ -1,10 +1,11 @@
-// Reader of hand-written JSON: every error message names the file, the path inside it, the value and what is
+// Hand-written JSON files: every error message names the file, the path inside it, the value and what is
 // allowed.
 #pragma once
 
 #include "demos/text/json.h"
 #include "engine/base/math.h"
 
+#include <filesystem>
 #include <optional>
 #include <span>
 #include <string>
@@ -45,5 +46,10 @@ class JsonReader {
     const Json& value_;
     std::string file_, path_;
 };
+
+// The document in `file`. `label` is the name of the file in messages. Throws UsageError, one line, if the file
+// cannot be read, is longer than 100 MB or is not JSON: then with the path of the first wrong value, so that NaN,
+// Infinity and numbers beyond double are reported by the name of their field.
+Json read_json_file(const std::filesystem::path& file, const std::string& label);
 
 }  // namespace pushfactor::demos

@@ -1,9 +1,11 @@
-// Numbers from and to text. Equal numbers give equal text; text that is not a number gives none.
+// Numbers and comma-separated lists from and to text. Equal numbers give equal text; text that is not a number
+// gives none.
 #pragma once
 
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace pushfactor::demos {
 
@@ -15,5 +17,8 @@ std::optional<double> parse_length_mm(std::string_view text);
 
 // The shortest text that reads back as the same double.
 std::string to_text(double value);
+
+// The parts between commas, including empty ones; one empty part for an empty text.
+std::vector<std::string_view> parts_of(std::string_view text);
 
 }  // namespace pushfactor::demos

@@ -4,8 +4,17 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace pushfactor::demos {
+
+// Of the entries of a table.
+template <typename Table>
+std::vector<std::string> names_of(const Table& table) {
+    std::vector<std::string> names;
+    for (const auto& entry : table) names.emplace_back(entry.name);
+    return names;
+}
 
 // "; did you mean WORD?" for the nearest of `known`, or empty if none is near.
 std::string suggestion(std::string_view typed, std::span<const std::string> known);

@@ -1,7 +1,7 @@
 // A scene and its line in the catalogue, as demos/EXTENDING.md shows them.
 #include "demos/runs/simulation.h"
 #include "demos/scenes/catalogue.h"
-#include "demos/scenes/named/view.h"
+#include "demos/scenes/named/named_scenes.h"
 #include "tests/catch.h"
 #include "tests/settings.h"
 

@@ -1,7 +1,7 @@
 #include "tests/fuzz/family_page.h"
 
 #include "demos/pages/page.h"
-#include "demos/pictures/camera/balls.h"
+#include "demos/pictures/camera/framing.h"
 #include "demos/pictures/camera/layout.h"
 #include "demos/pictures/camera/survey.h"
 #include "demos/pictures/draw_list.h"

@@ -1,6 +1,7 @@
-// Cameras that frame given balls.
+// Cameras that frame balls: what there is to see of a scene in its current state.
 #pragma once
 
+#include "demos/runs/scene.h"
 #include "demos/scenes/scene_description.h"
 
 #include <span>
@@ -47,5 +48,19 @@ View widened(const View& view, double across, double aspect);
 // A view in the direction of `view` of all that is `reached`, up to where the picture would show nothing else; at
 // least of the bodies at the `start`. `aspect` is width over height.
 View overview(const View& view, const std::vector<Ball>& start, std::vector<Ball> reached, double aspect);
+
+// Balls whose hull is the body in this pose: corners without a radius, or a sphere; none for a plane.
+std::vector<Ball> hull_of(const BodyDescription& body, const engine::Vector3& position,
+                          const engine::Quaternion& orientation);
+
+// The points that bars and joints hold.
+std::vector<Ball> held_points(const BuiltScene& scene);
+
+// Balls around the movable bodies of a scene, and the points that they hang on.
+std::vector<Ball> movable_balls(const BuiltScene& scene);
+
+// The region around a scene's movable_balls() at its start in which a body is worth being in the picture: from
+// farther away than 300 radii or ten times the scene's size it is a dot, or all else is.
+Eigen::AlignedBox3d surroundings(std::span<const Ball> start);
 
 }  // namespace pushfactor::demos::pictures

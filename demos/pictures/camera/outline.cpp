@@ -1,6 +1,6 @@
 #include "demos/pictures/camera/outline.h"
 
-#include "demos/pictures/camera/balls.h"
+#include "demos/pictures/camera/framing.h"
 #include "demos/pictures/camera/plane_outline.h"
 #include "demos/pictures/to_glm.h"
 #include "renderer/picture/picture.h"

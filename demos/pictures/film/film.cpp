@@ -1,9 +1,9 @@
 #include "demos/pictures/film/film.h"
 
-#include "demos/pictures/camera/balls.h"
 #include "demos/pictures/camera/composition.h"
-#include "demos/pictures/caption.h"
+#include "demos/pictures/camera/framing.h"
 #include "demos/pictures/draw_list.h"
+#include "demos/pictures/lettering.h"
 #include "demos/pictures/overlays/overlay.h"
 
 #include <fmt/format.h>

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "demos/pictures/camera/layout.h"
+#include "demos/pictures/camera/survey.h"
 #include "demos/pictures/film/motion.h"
-#include "demos/pictures/overlays/scale.h"
 #include "demos/runs/session.h"
 
 #include <vector>

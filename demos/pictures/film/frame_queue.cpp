@@ -57,38 +57,26 @@ void FrameQueue::run() {
     try {
         while (auto frame = waiting_.receive()) handle(*frame);
     } catch (...) {
-        note_error();
+        waiting_.close();
+        const std::lock_guard lock(mutex_);
+        if (!error_) error_ = std::current_exception();  // later ones are its consequences
+        turned_.notify_all();
     }
 }
 
 void FrameQueue::handle(Frame& frame) {
     StageWatch watch(times_);
     const End end = work_(frame.name, frame.image, watch);
-    if (!wait_for_turn(frame.number)) return;
+    {
+        std::unique_lock lock(mutex_);
+        turned_.wait(lock, [&] { return turn_ == frame.number || error_; });
+        if (error_) return;  // the turn never comes
+    }
     watch.skip();
     end(watch);
-    end_turn(frame);
-}
-
-// False after an error, when the turn never comes.
-bool FrameQueue::wait_for_turn(std::size_t number) {
-    std::unique_lock lock(mutex_);
-    turned_.wait(lock, [&] { return turn_ == number || error_; });
-    return !error_;
-}
-
-void FrameQueue::end_turn(Frame& frame) {
     const std::lock_guard lock(mutex_);
     ++turn_;
     blanks_.push_back(std::move(frame.image));
-    turned_.notify_all();
-}
-
-// Only the first error is kept; later ones are its consequences.
-void FrameQueue::note_error() {
-    waiting_.close();
-    const std::lock_guard lock(mutex_);
-    if (!error_) error_ = std::current_exception();
     turned_.notify_all();
 }
 

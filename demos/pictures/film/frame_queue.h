@@ -53,9 +53,6 @@ class FrameQueue {
 
     void run();
     void handle(Frame& frame);
-    bool wait_for_turn(std::size_t number);
-    void end_turn(Frame& frame);
-    void note_error();
     void join();
 
     Work work_;

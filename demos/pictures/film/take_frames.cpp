@@ -1,6 +1,6 @@
 #include "demos/pictures/film/take_frames.h"
 
-#include "demos/platform/producer.h"
+#include "demos/platform/channel.h"
 #include "demos/platform/progress.h"
 #include "demos/text/errors.h"
 

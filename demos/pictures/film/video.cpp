@@ -74,6 +74,16 @@ std::vector<std::string> arguments(const fs::path& target, int width, int height
     return words;
 }
 
+// Errors of ffmpeg are those of the file.
+template <typename Work>
+void in_name_of(const fs::path& file, const Work& work) {
+    try {
+        work();
+    } catch (const ChildProcessError& error) {
+        throw OutputError(fmt::format("{}: {}", file.string(), error.what()));
+    }
+}
+
 }  // namespace
 
 void check_video_name(const fs::path& file) {
@@ -83,11 +93,7 @@ void check_video_name(const fs::path& file) {
 }
 
 void require_ffmpeg(const fs::path& file) {
-    try {
-        require_program("ffmpeg", "ffmpeg");
-    } catch (const ChildProcessError& error) {
-        throw OutputError(fmt::format("{}: {}", file.string(), error.what()));
-    }
+    in_name_of(file, [] { require_program("ffmpeg", "ffmpeg"); });
 }
 
 Video::Video(fs::path file, int width, int height, const Rational& fps)
@@ -99,12 +105,10 @@ Video::Video(fs::path file, int width, int height, const Rational& fps)
     // Created here and not by ffmpeg, which takes the format from the extension, so that a missing or read-only
     // folder is reported before the first frame.
     staged_.emplace(file_, extension(file_));
-    try {
+    in_name_of(file_, [&] {
         ffmpeg_ = std::make_unique<ChildProcess>("ffmpeg", "ffmpeg",
                                                  arguments(for_ffmpeg(staged_->path()), width, height, fps));
-    } catch (const ChildProcessError& error) {
-        fail(error.what());
-    }
+    });
 }
 
 Video::~Video() {
@@ -117,19 +121,11 @@ void Video::fail(const std::string& why) const {
 
 void Video::add(const renderer::Image& image) {
     if (image.width != width_ || image.height != height_) fail("the frames of a video must be of one size");
-    try {
-        ffmpeg_->feed(image.rgb);
-    } catch (const ChildProcessError& error) {
-        fail(error.what());
-    }
+    in_name_of(file_, [&] { ffmpeg_->feed(image.rgb); });
 }
 
 void Video::finish() {
-    try {
-        ffmpeg_->finish();
-    } catch (const ChildProcessError& error) {
-        fail(error.what());
-    }
+    in_name_of(file_, [&] { ffmpeg_->finish(); });
     staged_->commit();
 }
 

@@ -177,8 +177,9 @@ int Document::add_times(const Values& times) {
 }
 
 void Document::add_channel(int node, Path path, int times, bool step, std::function<Values()> values) {
-    const std::size_t count = key_counts_[static_cast<std::size_t>(times)];
     const bool rotation = path == Path::rotation;
+    if (is_constant(values(), rotation ? 4 : 3)) return;
+    const std::size_t count = key_counts_[static_cast<std::size_t>(times)];
     Json sampler{{"input", times},
                  {"output", add_accessor(animation_view, animation_, floating, count, rotation ? "VEC4" : "VEC3")}};
     if (step) sampler["interpolation"] = "STEP";  // LINEAR is the default

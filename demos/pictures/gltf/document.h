@@ -48,7 +48,8 @@ class Document {
 
     // Times of keys [s], ascending.
     int add_times(const Values& times);
-    // `step`: values stay until the next key instead of being interpolated.
+    // `step`: values stay until the next key instead of being interpolated. Values that never change have no
+    // channel: the node is there already.
     void add_channel(int node, Path path, int times, bool step, std::function<Values()> values);
 
     // Throws OutputError; also for more than a .glb can hold (4.4).

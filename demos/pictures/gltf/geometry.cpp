@@ -21,53 +21,42 @@ Geometry placed(const renderer::Mesh& mesh, const glm::vec3& half, float bevel) 
     return geometry;
 }
 
-// A surface of revolution about the y axis: rings of corners that share neither place nor normal with each other
-// where the profile has an edge.
-class Lathe {
-  public:
-    // A ring of corners at height y whose normals have these parts outwards and upwards.
-    void ring(float radius, float y, float outwards, float upwards) {
+// A ring of corners at height y whose normals have these parts outwards and upwards, and the triangles that it
+// closes: a wall to the ring before, which is below, or a lid, seen from above or from below.
+struct Ring {
+    float radius, y, outwards, upwards;
+    enum { none, wall, above, below } closes = none;
+};
+
+// A surface of revolution about the y axis. Rings share neither corners nor normals where the profile has an edge.
+Geometry turned(std::initializer_list<Ring> rings) {
+    constexpr int sides = 16;
+    Geometry made;
+    Triangles triangles;
+    const auto triangle = [&](int a, int b, int c) {
+        for (const int corner : {a, b, c}) triangles.push_back(static_cast<std::uint16_t>(corner));
+    };
+    for (const auto& [radius, y, outwards, upwards, closes] : rings) {
+        const int first = static_cast<int>(made.positions.size());
         for (int side = 0; side < sides; ++side) {
             const double angle = 2.0 * std::numbers::pi * side / sides;
             const auto x = static_cast<float>(std::sin(angle)), z = static_cast<float>(std::cos(angle));
-            made_.positions.push_back({radius * x, y, radius * z});
-            made_.normals.push_back({outwards * x, upwards, outwards * z});
+            made.positions.push_back({radius * x, y, radius * z});
+            made.normals.push_back({outwards * x, upwards, outwards * z});
         }
-    }
-
-    // Joins the last two rings, the lower of which came first.
-    void wall() {
-        const int upper = static_cast<int>(made_.positions.size()) - sides;
-        for (int side = 0; side < sides; ++side) {
+        for (int side = 0; closes == Ring::wall && side < sides; ++side) {
             const int next = (side + 1) % sides;
-            triangle(upper - sides + side, upper - sides + next, upper + next);
-            triangle(upper - sides + side, upper + next, upper + side);
+            triangle(first - sides + side, first - sides + next, first + next);
+            triangle(first - sides + side, first + next, first + side);
+        }
+        for (int side = 1; (closes == Ring::above || closes == Ring::below) && side + 1 < sides; ++side) {
+            const int turn = closes == Ring::above ? 0 : 1;
+            triangle(first, first + side + turn, first + side + 1 - turn);
         }
     }
-
-    // Fills the last ring, seen from above or from below.
-    void lid(bool from_above) {
-        const int first = static_cast<int>(made_.positions.size()) - sides;
-        for (int side = 1; side + 1 < sides; ++side) {
-            triangle(first, first + (from_above ? side : side + 1), first + (from_above ? side + 1 : side));
-        }
-    }
-
-    Geometry take() {
-        made_.parts = {triangles_};
-        return std::move(made_);
-    }
-
-  private:
-    static constexpr int sides = 16;
-
-    void triangle(int a, int b, int c) {
-        for (const int corner : {a, b, c}) triangles_.push_back(static_cast<std::uint16_t>(corner));
-    }
-
-    Geometry made_;
-    Triangles triangles_;
-};
+    made.parts = {triangles};
+    return made;
+}
 
 }  // namespace
 
@@ -107,32 +96,21 @@ Geometry polyhedron(const renderer::ConvexShape& shape) {
 }
 
 Geometry rod() {
-    Lathe lathe;
-    lathe.ring(1.0f, -1.0f, 0.0f, -1.0f);
-    lathe.lid(false);
-    lathe.ring(1.0f, -1.0f, 1.0f, 0.0f);
-    lathe.ring(1.0f, 1.0f, 1.0f, 0.0f);
-    lathe.wall();
-    lathe.ring(1.0f, 1.0f, 0.0f, 1.0f);
-    lathe.lid(true);
-    return lathe.take();
+    return turned({{1.0f, -1.0f, 0.0f, -1.0f, Ring::below},
+                   {1.0f, -1.0f, 1.0f, 0.0f},
+                   {1.0f, 1.0f, 1.0f, 0.0f, Ring::wall},
+                   {1.0f, 1.0f, 0.0f, 1.0f, Ring::above}});
 }
 
 Geometry arrow() {
     constexpr float shaft = 0.025f, head = 0.075f, neck = 0.75f;
     const float slant = std::hypot(1.0f - neck, head);
-    Lathe lathe;
-    lathe.ring(shaft, 0.0f, 0.0f, -1.0f);
-    lathe.lid(false);
-    lathe.ring(shaft, 0.0f, 1.0f, 0.0f);
-    lathe.ring(shaft, neck, 1.0f, 0.0f);
-    lathe.wall();
-    lathe.ring(head, neck, 0.0f, -1.0f);
-    lathe.lid(false);
-    lathe.ring(head, neck, (1.0f - neck) / slant, head / slant);
-    lathe.ring(0.0f, 1.0f, (1.0f - neck) / slant, head / slant);
-    lathe.wall();
-    return lathe.take();
+    return turned({{shaft, 0.0f, 0.0f, -1.0f, Ring::below},
+                   {shaft, 0.0f, 1.0f, 0.0f},
+                   {shaft, neck, 1.0f, 0.0f, Ring::wall},
+                   {head, neck, 0.0f, -1.0f, Ring::below},
+                   {head, neck, (1.0f - neck) / slant, head / slant},
+                   {0.0f, 1.0f, (1.0f - neck) / slant, head / slant, Ring::wall}});
 }
 
 Geometry polygon(const std::vector<engine::Vector3>& corners) {

@@ -2,10 +2,10 @@
 
 #include "demos/pictures/camera/composition.h"
 #include "demos/pictures/camera/framing.h"
-#include "demos/pictures/caption.h"
 #include "demos/pictures/draw_list.h"
 #include "demos/pictures/gltf/marks.h"
 #include "demos/pictures/gltf/stage.h"
+#include "demos/pictures/lettering.h"
 #include "demos/pictures/overlays/overlay.h"
 #include "demos/platform/output_file.h"
 #include "demos/text/errors.h"
@@ -107,16 +107,9 @@ class GlbRecord : public Record {
         int node;
     };
 
-    // A track that never changes has no channel: the node is there already.
     void add_pose(int node, int times, std::size_t i) {
-        if (!is_constant(tracks_.positions(i), 3)) {
-            document_.add_channel(node, Path::translation, times, false,
-                                  [this, i] { return tracks_.positions(i); });
-        }
-        if (!is_constant(tracks_.orientations(i), 4)) {
-            document_.add_channel(node, Path::rotation, times, false,
-                                  [this, i] { return tracks_.orientations(i); });
-        }
+        document_.add_channel(node, Path::translation, times, false, [this, i] { return tracks_.positions(i); });
+        document_.add_channel(node, Path::rotation, times, false, [this, i] { return tracks_.orientations(i); });
     }
 
     void add_bar(int times, std::size_t i) {

@@ -112,16 +112,9 @@ void Marks::add_to(Document& document, const Tracks& tracks, const Values& secon
 }
 
 void add_stretched(Document& document, int node, int times, bool step, const std::function<Stretched()>& placed) {
-    const Stretched all = placed();
-    if (!is_constant(all.translations, 3)) {
-        document.add_channel(node, Path::translation, times, step, [placed] { return placed().translations; });
-    }
-    if (!is_constant(all.rotations, 4)) {
-        document.add_channel(node, Path::rotation, times, step, [placed] { return placed().rotations; });
-    }
-    if (!is_constant(all.scales, 3)) {
-        document.add_channel(node, Path::scale, times, step, [placed] { return placed().scales; });
-    }
+    document.add_channel(node, Path::translation, times, step, [placed] { return placed().translations; });
+    document.add_channel(node, Path::rotation, times, step, [placed] { return placed().rotations; });
+    document.add_channel(node, Path::scale, times, step, [placed] { return placed().scales; });
 }
 
 }  // namespace pushfactor::demos::pictures::gltf

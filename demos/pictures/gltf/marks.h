@@ -2,9 +2,9 @@
 // node in all frames, with scale 0 in those that have fewer.
 #pragma once
 
+#include "demos/pictures/camera/survey.h"
 #include "demos/pictures/gltf/document.h"
 #include "demos/pictures/gltf/tracks.h"
-#include "demos/pictures/overlays/scale.h"
 #include "demos/runs/scene.h"
 #include "renderer/picture/picture.h"
 

@@ -1,7 +1,6 @@
 // What the worker of the page calls (assets/live/worker.js). Texts go in and out as UTF-8; every answer is JSON
 // that lives until the next call, with "refused" or "failed" instead of a result if something is wrong.
 #include "demos/pictures/live/live_run.h"
-#include "demos/pictures/live/menu.h"
 #include "demos/pictures/live/microscope.h"
 #include "demos/pictures/replay/stage.h"
 #include "demos/text/errors.h"

@@ -1,10 +1,12 @@
 #include "demos/pictures/live/live_run.h"
 
 #include "demos/options/simulation_options.h"
-#include "demos/pictures/camera/balls.h"
+#include "demos/pictures/camera/framing.h"
 #include "demos/pictures/overlays/acting.h"
 #include "demos/pictures/replay/stage.h"
 #include "demos/platform/shell_words.h"
+#include "demos/platform/version.h"
+#include "demos/scenes/catalogue.h"
 #include "engine/bodies/diagnostics.h"
 
 #include <fmt/format.h>
@@ -80,9 +82,7 @@ void LiveRun::measure() {
 
 std::vector<double> LiveRun::numbers() {
     const BuiltScene& scene = simulation_.scene();
-    std::vector<Acting> acting = acting_in(scene);
-    const std::vector<Acting> applied = applied_in(scene);
-    acting.insert(acting.end(), applied.begin(), applied.end());
+    const std::vector<Acting> acting = all_acting_in(scene);
     constexpr std::size_t of_a_line = 6;
     const Sample& sample = simulation_.sample();
     std::vector<double> numbers{static_cast<double>(sample.step),
@@ -121,6 +121,56 @@ std::string LiveRun::command() const {
     const Rational time = simulation_.settings().dt * Rational{simulation_.sample().step, 1};
     words.insert(words.end(), {"--seconds", to_text(time)});
     return command_of(words);
+}
+
+namespace {
+
+Json scenes() {
+    Json scenes = Json::array();
+    for (const SceneEntry& entry : catalogue()) {
+        Json parameters = Json::array();
+        for (const Parameter& parameter : entry.parameters) {
+            parameters.push_back({{"name", parameter.name},
+                                  {"help", parameter.help},
+                                  {"value", parameter.fallback},
+                                  {"low", parameter.low},
+                                  {"high", parameter.high},
+                                  {"whole", parameter.whole}});
+        }
+        scenes.push_back(
+            {{"name", entry.name}, {"sentence", entry.sentence}, {"parameters", std::move(parameters)}});
+    }
+    return scenes;
+}
+
+Json options() {
+    Json options = Json::array();
+    for (const SimulationOption& option : simulation_options()) {
+        if (!is_on_menu(option.name)) continue;
+        Json values = Json::object();
+        for (const Preset& preset : presets()) values[std::string(preset.name)] = option.get(preset.settings());
+        options.push_back({{"name", option.name},
+                           {"help", option.help},
+                           {"allowed", option.allowed},
+                           {"values", std::move(values)}});
+    }
+    return options;
+}
+
+}  // namespace
+
+bool is_on_menu(std::string_view option) {
+    return option != "seconds" && option != "threads";
+}
+
+Json menu() {
+    Json named = Json::array();
+    for (const Preset& preset : presets()) named.push_back({{"name", preset.name}, {"help", preset.description}});
+    return {{"scenes", scenes()},
+            {"presets", std::move(named)},
+            {"options", options()},
+            {"legend", replay::legend_of_arrows()},
+            {"version", version_text()}};
 }
 
 }  // namespace pushfactor::demos::pictures::live

@@ -1,5 +1,5 @@
-// A run that a page in a browser steps as it likes: what it shows as numbers and as JSON. The browser's side is in
-// assets/live.
+// A page in a browser that steps a run as it likes: what it has to choose from, and what the run shows as numbers
+// and as JSON. The browser's side is in assets/live.
 #pragma once
 
 #include "demos/options/comparison.h"
@@ -8,6 +8,7 @@
 #include "demos/text/json.h"
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace pushfactor::demos::pictures::live {
@@ -51,5 +52,12 @@ class LiveRun {
     std::vector<std::size_t> recorded_;  // bodies
     std::vector<double> measures_;       // since the last call of numbers()
 };
+
+// The scenes with their parameters, the presets, the options of a simulation with what they allow, what the arrows
+// mean, version and build.
+Json menu();
+
+// Whether the page has an option of a simulation: it steps as long as it is looked at, and on one thread.
+bool is_on_menu(std::string_view option);
 
 }  // namespace pushfactor::demos::pictures::live

@@ -1,12 +1,12 @@
 #include "demos/pictures/live/microscope.h"
 
 #include "demos/options/simulation_options.h"
+#include "demos/runs/records.h"
 #include "demos/text/errors.h"
 #include "engine/solvers/pgs.h"
 
 #include <fmt/format.h>
 
-#include <array>
 #include <cmath>
 
 namespace pushfactor::demos::pictures::live {
@@ -44,12 +44,6 @@ void require_watchable(const Simulation& simulation) {
     const long rows = simulation.scene().world.system().row_count();
     if (rows == 0) refuse("step", std::to_string(simulation.sample().step), "one in which something touches");
     if (rows > most_rows) refuse("rows", std::to_string(rows), fmt::format("at most {}", most_rows));
-}
-
-std::string_view name_of(engine::RowKind kind) {
-    constexpr std::array<std::string_view, engine::row_kind_count> names{"contact", "friction", "distance", "joint",
-                                                                         "motor",   "limit",    "spring"};
-    return names[static_cast<std::size_t>(kind)];
 }
 
 Json row_as_json(const ConstraintRow& row) {

@@ -1,5 +1,7 @@
 #include "demos/pictures/overlays/acting.h"
 
+#include <map>
+
 namespace pushfactor::demos::pictures {
 
 namespace {
@@ -29,29 +31,28 @@ double drawn_on(const engine::ContactSite& site, const engine::World& world) {
 }
 
 void add_contacts(const BuiltScene& scene, std::vector<Acting>& found) {
-    for (const engine::ContactSite& site : scene.contacts->sites()) {
+    const auto add = [&](const engine::ContactSite& site, bool touches, const Vector3& force,
+                         const engine::PushFactor& push) {
         const double side = drawn_on(site, scene.world);
+        const Vector3 outwards = side * site.normal;
+        found.push_back({.kind = touches ? Acting::Kind::touching : Acting::Kind::within_margin,
+                         .body = side > 0.0 ? site.body_b : site.body_a,
+                         .other = side > 0.0 ? site.body_a : site.body_b,
+                         .place = site.position,
+                         .force = side * force,
+                         .correcting = push.correcting * outwards,
+                         .lasting = push.lasting * outwards});
+    };
+    for (const engine::ContactSite& site : scene.contacts->sites()) {
         const auto& [row, normal_force] = answer_of(scene.world, site.normal_row);
         Vector3 force = site.normal * normal_force;
         for (std::size_t t = 0; site.friction_row && t < 2; ++t) {
             force += site.tangents[t] * answer_of(scene.world, *site.friction_row + t).lasting_force;
         }
-        const Vector3 outwards = side * site.normal;
-        found.push_back({.kind = row.label.gap > 0.0 ? Acting::Kind::within_margin : Acting::Kind::touching,
-                         .body = side > 0.0 ? site.body_b : site.body_a,
-                         .other = side > 0.0 ? site.body_a : site.body_b,
-                         .place = site.position,
-                         .force = side * force,
-                         .correcting = row.push.correcting * outwards,
-                         .lasting = row.push.lasting * outwards});
+        add(site, row.label.gap <= 0.0, force, row.push);
     }
     for (const engine::RestingContact& contact : scene.contacts->sites_at_rest(scene.world.bodies)) {
-        const double side = drawn_on(contact.site, scene.world);
-        found.push_back({.kind = contact.normal > 0.0 ? Acting::Kind::touching : Acting::Kind::within_margin,
-                         .body = side > 0.0 ? contact.site.body_b : contact.site.body_a,
-                         .other = side > 0.0 ? contact.site.body_a : contact.site.body_b,
-                         .place = contact.site.position,
-                         .force = side * contact.force});
+        add(contact.site, contact.normal > 0.0, contact.force, {});
     }
 }
 
@@ -73,74 +74,48 @@ struct AtEnd {
     }
 };
 
-// Adds the movable ends of something between two bodies.
-void add_ends(const engine::World& world, Acting::Kind kind, int body_a, int body_b, const engine::Span& span,
-              const AtEnd& at_b, bool along_axes, std::vector<Acting>& found) {
-    const auto vector_of = [&](const Vector3& numbers) {
-        return along_axes ? numbers : Vector3(numbers.x() * (span.to - span.from).normalized());
-    };
-    const Acting end{.kind = kind,
-                     .body = body_b,
-                     .other = body_a,
-                     .place = span.to,
-                     .force = vector_of(at_b.force),
-                     .correcting = vector_of(at_b.correcting),
-                     .lasting = vector_of(at_b.lasting)};
-    if (!is_static(world, body_a)) {
-        found.push_back({.kind = kind,
-                         .body = body_a,
-                         .other = body_b,
-                         .place = span.from,
-                         .force = -end.force,
-                         .correcting = -end.correcting,
-                         .lasting = -end.lasting});
-    }
-    if (!is_static(world, body_b)) found.push_back(end);
+// Rows of what holds points together, and whether one of them is the first of item `i`.
+int rows_of(const engine::Distance& distance) {
+    return is_ball_joint(distance) ? 3 : 1;
+}
+bool begins(const engine::RowLabel& label, const engine::Distance&, std::size_t) {
+    return label.kind == engine::RowKind::distance || label.kind == engine::RowKind::spring;
+}
+int rows_of(const engine::Joint&) {
+    return 3;  // of the part at its point
+}
+bool begins(const engine::RowLabel& label, const engine::Joint&, std::size_t i) {
+    return label.kind == engine::RowKind::joint && label.point == static_cast<int>(i);
 }
 
-// Calls `visit(i, acts)` for all of `count` items; those that act are `acting`, ascending.
-template <typename Visit>
-void each_item(std::size_t count, std::span<const std::size_t> acting, const Visit& visit) {
-    for (std::size_t i = 0; i < count; ++i) {
+// Adds the movable ends of all `items` of a source.
+template <typename Source, typename Items>
+void add_held(const engine::World& world, Acting::Kind kind, const Source& source, const Items& items,
+              std::vector<Acting>& found) {
+    std::span<const std::size_t> acting = source.acting();  // ascending
+    std::size_t row = 0;
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        const auto& item = items[i];
         const bool acts = !acting.empty() && acting.front() == i;
         if (acts) acting = acting.subspan(1);
-        visit(i, acts);
-    }
-}
-
-void add_distances(const BuiltScene& scene, std::vector<Acting>& found) {
-    const engine::World& world = scene.world;
-    const auto is_of_distance = [](engine::RowKind kind) {
-        return kind == engine::RowKind::distance || kind == engine::RowKind::spring;
-    };
-    std::size_t row = 0;
-    const auto& distances = scene.distances->distances();
-    each_item(distances.size(), scene.distances->acting(), [&](std::size_t i, bool acts) {
-        const bool ball = is_ball_joint(distances[i]);
-        const int rows = ball ? 3 : 1;
-        while (acts && !is_of_distance(world.rows()[row].label.kind)) ++row;
-        const AtEnd end = acts ? AtEnd(world, row, rows) : AtEnd(scene.distances->forces()[i], rows);
-        add_ends(world, Acting::Kind::distance, distances[i].body_a, distances[i].body_b,
-                 span_of(distances[i], world.bodies), end, ball, found);
+        while (acts && !begins(world.rows()[row].label, item, i)) ++row;
+        const int rows = rows_of(item);
+        const AtEnd at_b = acts ? AtEnd(world, row, rows) : AtEnd(source.forces()[i], rows);
         if (acts) row += static_cast<std::size_t>(rows);
-    });
-}
-
-// Of a joint the part at its point.
-void add_joints(const BuiltScene& scene, std::vector<Acting>& found) {
-    const engine::World& world = scene.world;
-    std::size_t row = 0;
-    const auto& joints = scene.joints->joints();
-    each_item(joints.size(), scene.joints->acting(), [&](std::size_t i, bool acts) {
-        const auto is_of_joint = [&](const engine::RowLabel& label) {
-            return label.kind == engine::RowKind::joint && label.point == static_cast<int>(i);
+        const engine::Span span = span_of(item, world.bodies);
+        const auto add = [&](int body, int other, const Vector3& place, double sign) {
+            const auto vector_of = [&](const Vector3& numbers) {
+                const Vector3 vector =
+                    rows == 3 ? numbers : Vector3(numbers.x() * (span.to - span.from).normalized());
+                return Vector3(sign * vector);
+            };
+            if (is_static(world, body)) return;
+            found.push_back({kind, body, other, place, vector_of(at_b.force), vector_of(at_b.correcting),
+                             vector_of(at_b.lasting)});
         };
-        while (acts && !is_of_joint(world.rows()[row].label)) ++row;
-        const AtEnd end = acts ? AtEnd(world, row, 3) : AtEnd(scene.joints->forces()[i], 3);
-        add_ends(world, Acting::Kind::joint, joints[i].body_a, joints[i].body_b, span_of(joints[i], world.bodies),
-                 end, true, found);
-        if (acts) row += 3;
-    });
+        add(item.body_a, item.body_b, span.from, -1.0);
+        add(item.body_b, item.body_a, span.to, 1.0);
+    }
 }
 
 }  // namespace
@@ -169,9 +144,61 @@ std::vector<Acting> acting_in(const BuiltScene& scene) {
     std::vector<Acting> found;
     if (!any_forces(scene)) return found;
     if (scene.contacts) add_contacts(scene, found);
-    if (scene.distances) add_distances(scene, found);
-    if (scene.joints) add_joints(scene, found);
+    const auto add = [&](Acting::Kind kind, const auto& source, const auto& items) {
+        add_held(scene.world, kind, source, items, found);
+    };
+    if (scene.distances) add(Acting::Kind::distance, *scene.distances, scene.distances->distances());
+    if (scene.joints) add(Acting::Kind::joint, *scene.joints, scene.joints->joints());
     return found;
+}
+
+std::vector<Acting> all_acting_in(const BuiltScene& scene) {
+    std::vector<Acting> acting = acting_in(scene);
+    const std::vector<Acting> applied = applied_in(scene);
+    acting.insert(acting.end(), applied.begin(), applied.end());
+    return acting;
+}
+
+using engine::Vector3;
+
+std::vector<PressureCentre> pressure_centres(const BuiltScene& scene) {
+    struct Pressure {
+        Vector3 moment = Vector3::Zero();  // N m, sum of force times place
+        double force = 0.0;                // N
+    };
+    std::map<std::pair<int, int>, Pressure> pairs;
+    const auto add = [&](const engine::ContactSite& site, double force) {
+        Pressure& pressure = pairs[{site.body_a, site.body_b}];
+        pressure.moment += force * site.position;
+        pressure.force += force;
+    };
+    const engine::Columns& lambda = scene.world.lambda();
+    for (const engine::ContactSite& site : scene.contacts->sites())
+        add(site, lambda(static_cast<Eigen::Index>(site.normal_row), lambda.cols() - 1));
+    for (const engine::RestingContact& contact : scene.contacts->sites_at_rest(scene.world.bodies))
+        add(contact.site, contact.normal);
+    std::vector<PressureCentre> centres;
+    for (const auto& [bodies, pressure] : pairs) {
+        if (!(pressure.force > 0.0)) continue;
+        centres.push_back({bodies.first, bodies.second, pressure.moment / pressure.force});
+    }
+    return centres;
+}
+
+std::vector<std::pair<Vector3, Vector3>> line_of_thrust(const std::vector<PressureCentre>& centres,
+                                                        const BuiltScene& scene) {
+    std::map<int, std::vector<Vector3>> of_body;
+    for (const PressureCentre& centre : centres) {
+        for (const int body : {centre.body_a, centre.body_b}) {
+            if (!scene.world.bodies[static_cast<std::size_t>(body)].is_static())
+                of_body[body].push_back(centre.place);
+        }
+    }
+    std::vector<std::pair<Vector3, Vector3>> line;
+    for (const auto& [body, places] : of_body) {
+        if (places.size() == 2) line.emplace_back(places.front(), places.back());
+    }
+    return line;
 }
 
 }  // namespace pushfactor::demos::pictures

@@ -1,8 +1,10 @@
-// Forces and pushes at points of a scene, with the bodies between which they act.
+// Forces and pushes at points of a scene, with the bodies between which they act, and the line of thrust: where the
+// contact forces of pairs act as a whole.
 #pragma once
 
 #include "demos/runs/scene.h"
 
+#include <utility>
 #include <vector>
 
 namespace pushfactor::demos::pictures {
@@ -29,5 +31,19 @@ bool any_forces(const BuiltScene& scene);
 
 // Contacts, then the movable ends of distances, then those of joints. None before the first step.
 std::vector<Acting> acting_in(const BuiltScene& scene);
+// And then those of applied_in().
+std::vector<Acting> all_acting_in(const BuiltScene& scene);
+
+// Centre of pressure of two bodies that push each other in the world's last step: the mean of their contact points,
+// weighted by the normal forces.
+struct PressureCentre {
+    int body_a = 0, body_b = 0;
+    engine::Vector3 place = engine::Vector3::Zero();  // m
+};
+std::vector<PressureCentre> pressure_centres(const BuiltScene& scene);
+
+// A segment within each movable body that two others push: from one centre to the other [m].
+std::vector<std::pair<engine::Vector3, engine::Vector3>> line_of_thrust(const std::vector<PressureCentre>& centres,
+                                                                        const BuiltScene& scene);
 
 }  // namespace pushfactor::demos::pictures

@@ -1,7 +1,7 @@
 // What the colours of overlays mean.
 #pragma once
 
-#include "demos/options/overlay_choice.h"
+#include "demos/options/look_choices.h"
 #include "demos/text/palette.h"
 
 #include <string>

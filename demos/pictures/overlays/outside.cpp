@@ -1,6 +1,5 @@
 #include "demos/pictures/overlays/outside.h"
 
-#include "demos/pictures/overlays/acting.h"
 #include "engine/base/overloaded.h"
 
 #include <cmath>
@@ -24,12 +23,6 @@ double reach_of(const BodyDescription& body) {
 }
 
 }  // namespace
-
-void add_applied_forces(const BuiltScene& scene, std::size_t kind, std::vector<Quantity>& found) {
-    for (const Acting& at : applied_in(scene)) {
-        found.push_back({.place = at.place, .value = at.force, .kind = kind});
-    }
-}
 
 void add_applied_torques(const BuiltScene& scene, std::size_t kind, std::vector<Quantity>& found) {
     for (const engine::PokeForce* const source : scene.pokes) {

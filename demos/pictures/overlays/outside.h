@@ -2,15 +2,19 @@
 // from touching.
 #pragma once
 
-#include "demos/pictures/overlays/quantity.h"
 #include "demos/runs/scene.h"
+#include "engine/base/math.h"
 
+#include <cstddef>
 #include <vector>
 
 namespace pushfactor::demos::pictures {
 
-// Forces of the scene on single bodies as they are now [N], at the points where they act.
-void add_applied_forces(const BuiltScene& scene, std::size_t kind, std::vector<Quantity>& found);
+struct Quantity {
+    engine::Vector3 place = engine::Vector3::Zero();  // m
+    engine::Vector3 value = engine::Vector3::Zero();  // N, N m or m/s; of lines m
+    std::size_t kind = 0;                             // index into the entries of the overlay's kind
+};
 
 // Torques of the scene on single bodies as they are now [N m], at the centres of mass.
 void add_applied_torques(const BuiltScene& scene, std::size_t kind, std::vector<Quantity>& found);

@@ -2,7 +2,6 @@
 
 #include "demos/pictures/overlays/acting.h"
 #include "demos/pictures/overlays/outside.h"
-#include "demos/pictures/overlays/thrust.h"
 #include "demos/pictures/to_glm.h"
 #include "demos/text/errors.h"
 
@@ -13,38 +12,6 @@ namespace pushfactor::demos::pictures {
 namespace {
 
 using engine::Vector3;
-
-void add_contacts(const std::vector<Acting>& acting, std::vector<Quantity>& found) {
-    for (const Acting& at : acting) {
-        const bool touches = at.kind == Acting::Kind::touching;
-        if (!touches && at.kind != Acting::Kind::within_margin) continue;
-        found.push_back({.place = at.place, .kind = touches ? 0u : 1u});
-    }
-}
-
-// Legend entry of a force.
-std::size_t entry_of(Acting::Kind kind) {
-    return kind == Acting::Kind::joint ? 2 : kind == Acting::Kind::distance ? 1 : 0;
-}
-
-void add_forces(const std::vector<Acting>& acting, std::vector<Quantity>& found) {
-    for (const Acting& at : acting) {
-        found.push_back({.place = at.place, .value = at.force, .kind = entry_of(at.kind)});
-    }
-}
-
-void add_push(const std::vector<Acting>& acting, std::vector<Quantity>& found) {
-    for (const Acting& at : acting) {
-        found.push_back({.place = at.place, .value = at.correcting, .kind = 0});
-        found.push_back({.place = at.place, .value = at.lasting, .kind = 1});
-    }
-}
-
-void add_velocities(const BuiltScene& scene, std::vector<Quantity>& found) {
-    for (const engine::Body& body : scene.world.bodies) {
-        if (!body.is_static()) found.push_back({.place = body.position, .value = velocity(body)});
-    }
-}
 
 // Depends on the island's first body, so that an island keeps its colour while others come and go. Fifteen colours:
 // the palette in three shades.
@@ -65,73 +32,86 @@ bool is_in_island(const BuiltScene& scene, std::size_t body) {
     return !scene.world.rows().empty() && scene.world.islands().of_body(static_cast<int>(body)) >= 0;
 }
 
-void add_islands(const BuiltScene& scene, std::vector<Quantity>& found) {
-    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-        if (!scene.bodies[i].mass) continue;
-        found.push_back({.place = scene.world.bodies[i].position, .kind = is_in_island(scene, i) ? 0u : 1u});
-    }
-}
-
-// Legend entry of a movable body.
-std::size_t rest_of(const BuiltScene& scene, std::size_t body) {
+// Legend entry of a movable body that the overlay colours.
+std::size_t entry_of_body(const BuiltScene& scene, OverlayKind kind, std::size_t body) {
+    if (kind == OverlayKind::islands) return is_in_island(scene, body) ? 0 : 1;
     const auto index = static_cast<int>(body);
-    if (scene.world.rest->is_at_rest(index)) return 0;
-    return scene.world.rest->is_still(index) ? 1 : 2;
+    return scene.world.rest->is_at_rest(index) ? 0 : scene.world.rest->is_still(index) ? 1 : 2;
 }
 
-void add_rest(const BuiltScene& scene, std::vector<Quantity>& found) {
-    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-        if (!scene.bodies[i].mass) continue;
-        found.push_back({.place = scene.world.bodies[i].position, .kind = rest_of(scene, i)});
-    }
-}
-
-glm::vec3 island_colour_of(const BuiltScene& scene, std::size_t body) {
-    if (!is_in_island(scene, body)) return to_glm(*find_colour(colour_of_none));
+glm::vec3 colour_of_body(const BuiltScene& scene, OverlayKind kind, std::size_t body) {
+    const std::size_t entry = entry_of_body(scene, kind, body);
+    if (kind == OverlayKind::rest || entry == 1) return to_glm(entries_of(kind)[entry].colour);
     const engine::Islands& islands = scene.world.islands();
     const auto island = static_cast<std::size_t>(islands.of_body(static_cast<int>(body)));
     return colour_of_island(static_cast<std::size_t>(islands.all()[island].bodies.front()));
 }
 
-glm::vec3 rest_colour_of(const BuiltScene& scene, std::size_t body) {
-    return to_glm(entries_of(OverlayKind::rest)[rest_of(scene, body)].colour);
-}
-
-// Colours movable bodies with `colour_of`.
-template <typename ColourOf>
-void colour_bodies(const BuiltScene& scene, const ColourOf& colour_of, renderer::Picture& picture) {
-    for (renderer::Body& body : picture.bodies) {
-        if (scene.bodies[body.index].mass) body.colour = colour_of(scene, body.index);
-    }
-}
-
 // Speed [m/s] below which a body stands still: what solves leave, by the default tolerance, and rounding.
 constexpr double unsolved = 1e-8;
+
+std::vector<Quantity> velocities_in(const BuiltScene& scene) {
+    std::vector<Quantity> found;
+    for (const engine::Body& body : scene.world.bodies) {
+        if (!body.is_static()) found.push_back({.place = body.position, .value = velocity(body)});
+    }
+    add_moved_velocities(scene, 1, found);
+    for (Quantity& velocity : found) {
+        if (velocity.value.norm() < unsolved) velocity.value.setZero();
+    }
+    return found;
+}
 
 }  // namespace
 
 std::vector<Quantity> quantities(const BuiltScene& scene, OverlayKind kind) {
+    using Kind = Acting::Kind;
     std::vector<Quantity> found;
-    if (kind == OverlayKind::velocities) {
-        add_velocities(scene, found);
-        add_moved_velocities(scene, 1, found);
-        for (Quantity& velocity : found) {
-            if (velocity.value.norm() < unsolved) velocity.value.setZero();
-        }
+    const auto add = [&](const Vector3& place, const Vector3& value, std::size_t entry) {
+        found.push_back({.place = place, .value = value, .kind = entry});
+    };
+    switch (kind) {
+        case OverlayKind::contacts:
+            for (const Acting& at : acting_in(scene)) {
+                if (at.kind == Kind::touching) add(at.place, Vector3::Zero(), 0);
+                if (at.kind == Kind::within_margin) add(at.place, Vector3::Zero(), 1);
+            }
+            break;
+        case OverlayKind::forces:
+            for (const Acting& at : applied_in(scene)) add(at.place, at.force, 3);
+            for (const Acting& at : acting_in(scene)) {
+                add(at.place, at.force, at.kind == Kind::joint ? 2 : at.kind == Kind::distance ? 1 : 0);
+            }
+            break;
+        case OverlayKind::torques:
+            add_applied_torques(scene, 0, found);
+            if (scene.joints && any_forces(scene)) add_motor_torques(scene, 1, found);
+            break;
+        case OverlayKind::push:
+            for (const Acting& at : acting_in(scene)) {
+                add(at.place, at.correcting, 0);
+                add(at.place, at.lasting, 1);
+            }
+            break;
+        case OverlayKind::velocities:
+            return velocities_in(scene);
+        case OverlayKind::islands:
+        case OverlayKind::rest:
+            for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+                if (!scene.bodies[i].mass) continue;
+                add(scene.world.bodies[i].position, Vector3::Zero(), entry_of_body(scene, kind, i));
+            }
+            break;
+        case OverlayKind::no_contacts:
+            add_untouching(scene, 0, 1, found);
+            break;
+        case OverlayKind::thrust:
+            if (!scene.contacts || !any_forces(scene)) break;
+            for (const PressureCentre& centre : pressure_centres(scene)) add(centre.place, Vector3::Zero(), 0);
+            break;
+        case OverlayKind::trails:
+            break;
     }
-    if (kind == OverlayKind::forces) add_applied_forces(scene, 3, found);
-    if (kind == OverlayKind::torques) add_applied_torques(scene, 0, found);
-    if (kind == OverlayKind::no_contacts) add_untouching(scene, 0, 1, found);
-    if (kind == OverlayKind::islands) add_islands(scene, found);
-    if (kind == OverlayKind::rest) add_rest(scene, found);
-    if (!any_forces(scene)) return found;
-    if (kind == OverlayKind::contacts) add_contacts(acting_in(scene), found);
-    if (kind == OverlayKind::forces) add_forces(acting_in(scene), found);
-    if (kind == OverlayKind::push) add_push(acting_in(scene), found);
-    if (scene.contacts && kind == OverlayKind::thrust) {
-        for (const PressureCentre& centre : pressure_centres(scene)) found.push_back({.place = centre.place});
-    }
-    if (scene.joints && kind == OverlayKind::torques) add_motor_torques(scene, 1, found);
     return found;
 }
 
@@ -183,8 +163,12 @@ void require_shown(const BuiltScene& scene, const std::vector<OverlayItem>& over
 }
 
 void add_overlay(const BuiltScene& scene, OverlayKind kind, double units_a_metre, renderer::Picture& picture) {
-    if (kind == OverlayKind::islands) return colour_bodies(scene, island_colour_of, picture);
-    if (kind == OverlayKind::rest) return colour_bodies(scene, rest_colour_of, picture);
+    if (colours_bodies(kind)) {
+        for (renderer::Body& body : picture.bodies) {
+            if (scene.bodies[body.index].mass) body.colour = colour_of_body(scene, kind, body.index);
+        }
+        return;
+    }
     const std::vector<LegendEntry> entries = entries_of(kind);
     for (const Quantity& quantity : quantities(scene, kind)) {
         const glm::vec3 colour = to_glm(entries[quantity.kind].colour);

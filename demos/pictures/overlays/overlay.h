@@ -2,9 +2,9 @@
 // and of bodies at rest, and lines between bodies that do not touch.
 #pragma once
 
-#include "demos/options/overlay_choice.h"
+#include "demos/options/look_choices.h"
 #include "demos/pictures/overlays/legend.h"
-#include "demos/pictures/overlays/quantity.h"
+#include "demos/pictures/overlays/outside.h"
 #include "demos/runs/scene.h"
 #include "renderer/picture/picture.h"
 

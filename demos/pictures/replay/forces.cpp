@@ -1,6 +1,6 @@
 #include "demos/pictures/replay/forces.h"
 
-#include "demos/pictures/replay/integers.h"
+#include "demos/pictures/replay/bytes.h"
 
 #include <cmath>
 

@@ -1,14 +1,14 @@
 #include "demos/pictures/replay/replay.h"
 
-#include "demos/pictures/camera/balls.h"
 #include "demos/pictures/camera/composition.h"
+#include "demos/pictures/camera/framing.h"
 #include "demos/pictures/camera/survey.h"
-#include "demos/pictures/caption.h"
 #include "demos/pictures/draw_list.h"
+#include "demos/pictures/lettering.h"
 #include "demos/pictures/replay/bytes.h"
-#include "demos/pictures/replay/integers.h"
 #include "demos/pictures/replay/stage.h"
 #include "demos/platform/version.h"
+#include "demos/runs/records.h"
 #include "demos/text/errors.h"
 #include "demos/text/median.h"
 #include "engine/bodies/diagnostics.h"
@@ -39,6 +39,12 @@ std::string quantities_text(std::vector<std::vector<std::int64_t>>& quantities) 
         values.clear();
     }
     return bytes;
+}
+
+// Each number to the quantity at its place.
+template <std::size_t n, typename Quantities>
+void append(const std::array<std::int64_t, n>& numbers, Quantities quantity) {
+    for (const std::int64_t number : numbers) (quantity++)->push_back(number);
 }
 
 std::vector<double> units_of(const std::vector<double>& sizes) {
@@ -170,7 +176,6 @@ void Replay::record(Track& track, std::map<OverlayKind, double>& largest) {
                               sample.max_speed, sample.residual};
     for (std::size_t i = 0; i < measured.size(); ++i) track.measures[i].push_back(static_cast<float>(measured[i]));
     if (choices_.poses_only) return;
-    record_velocities(track);
     double& speed = largest[OverlayKind::velocities];
     for (const engine::Body& body : track.simulation->scene().world.bodies) {
         speed = std::max(speed, velocity(body).norm());
@@ -181,31 +186,20 @@ void Replay::record(Track& track, std::map<OverlayKind, double>& largest) {
 void Replay::record_poses(Track& track) const {
     for (std::size_t i = 0; i < track.bodies.size(); ++i) {
         const engine::Body& body = track.simulation->scene().world.bodies[track.bodies[i]];
-        const auto position = vector_in_units(body.position, position_unit * track.sizes[track.bodies[i]]);
+        const double size = track.sizes[track.bodies[i]];
         track.orientations[i] = orientation_in_units(body.orientation, track.orientations[i]);
-        for (std::size_t k = 0; k < 3; ++k) track.poses[numbers_per_pose * i + k].push_back(position[k]);
-        for (std::size_t k = 0; k < 4; ++k) {
-            track.poses[numbers_per_pose * i + 3 + k].push_back(track.orientations[i][k]);
-        }
-    }
-}
-
-void Replay::record_velocities(Track& track) const {
-    for (std::size_t i = 0; i < track.bodies.size(); ++i) {
-        const engine::Body& body = track.simulation->scene().world.bodies[track.bodies[i]];
-        const auto linear = vector_in_units(velocity(body), velocity_unit * track.sizes[track.bodies[i]]);
-        const auto angular = vector_in_units(angular_velocity(body), velocity_unit);
-        for (std::size_t k = 0; k < 3; ++k) {
-            track.velocities[numbers_per_velocity * i + k].push_back(linear[k]);
-            track.velocities[numbers_per_velocity * i + 3 + k].push_back(angular[k]);
-        }
+        const auto pose = track.poses.begin() + static_cast<std::ptrdiff_t>(numbers_per_pose * i);
+        append(vector_in_units(body.position, position_unit * size), pose);
+        append(track.orientations[i], pose + 3);
+        if (choices_.poses_only) continue;
+        const auto motion = track.velocities.begin() + static_cast<std::ptrdiff_t>(numbers_per_velocity * i);
+        append(vector_in_units(velocity(body), velocity_unit * size), motion);
+        append(vector_in_units(angular_velocity(body), velocity_unit), motion + 3);
     }
 }
 
 void Replay::record_forces(Track& track, std::map<OverlayKind, double>& largest) const {
-    std::vector<Acting> acting = acting_in(track.simulation->scene());
-    const std::vector<Acting> applied = applied_in(track.simulation->scene());
-    acting.insert(acting.end(), applied.begin(), applied.end());
+    const std::vector<Acting> acting = all_acting_in(track.simulation->scene());
     double force = 0.0, push = 0.0;
     for (const Acting& at : acting) {
         force = std::max(force, at.force.norm());
@@ -262,13 +256,7 @@ void Replay::finish(const std::string& note) {
 }
 
 std::string Replay::keep(const std::string& why) {
-    try {
-        finish(why);
-        return fmt::format("pushfactor: note: {} holds the run up to frame {}, where it stopped\n", file_.name(),
-                           recorded_ - 1);
-    } catch (const OutputError& error) {
-        return fmt::format("pushfactor: note: {}\n", error.what());
-    }
+    return kept(file_.name(), fmt::format("frame {}", recorded_ - 1), [&] { finish(why); });
 }
 
 }  // namespace pushfactor::demos::pictures

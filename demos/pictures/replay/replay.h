@@ -63,7 +63,6 @@ class Replay : public Observer {
     std::vector<View> views() const;
     void record(Track& track, std::map<OverlayKind, double>& largest);
     void record_poses(Track& track) const;
-    void record_velocities(Track& track) const;
     void record_forces(Track& track, std::map<OverlayKind, double>& largest) const;
     void write_blocks();
 

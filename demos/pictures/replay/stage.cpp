@@ -53,10 +53,7 @@ class Shapes {
 Json options_of(const Choices& choices) {
     Json options = Json::object();
     options["preset"] = choices.settings.preset;
-    for (const SimulationOption& option : simulation_options()) {
-        const std::string text = option.get(choices.settings);
-        if (!text.empty()) options[std::string(option.name)] = text;
-    }
+    for (const auto& [name, text] : texts_of(choices.settings)) options[name] = text;
     for (const auto& [name, text] : choices.parameters) options[name] = text;
     return options;
 }

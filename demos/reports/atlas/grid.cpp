@@ -2,7 +2,6 @@
 #include "demos/options/simulation_options.h"
 #include "demos/reports/atlas/atlas.h"
 #include "demos/runs/summary.h"
-#include "demos/text/comma_list.h"
 #include "demos/text/errors.h"
 #include "demos/text/numbers.h"
 #include "demos/text/rational.h"

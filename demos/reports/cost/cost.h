@@ -3,7 +3,7 @@
 #pragma once
 
 #include "demos/options/named_run.h"
-#include "demos/platform/cpu_clock.h"
+#include "demos/platform/processors.h"
 #include "demos/runs/scene.h"
 #include "demos/runs/step_division.h"
 

@@ -1,5 +1,4 @@
-#include "demos/platform/cpu_clock.h"
-#include "demos/platform/heap_memory.h"
+#include "demos/platform/processors.h"
 #include "demos/reports/cost/cost.h"
 #include "demos/runs/checkpoint.h"
 #include "demos/runs/session.h"

@@ -1,6 +1,6 @@
 #include "demos/reports/error/points.h"
 
-#include "demos/platform/cpu_clock.h"
+#include "demos/platform/processors.h"
 #include "demos/runs/measurements.h"
 #include "demos/runs/session.h"
 #include "demos/text/csv.h"

@@ -1,6 +1,5 @@
 #include "demos/reports/stability/gallery.h"
 
-#include "demos/pictures/camera/balls.h"
 #include "demos/pictures/camera/framing.h"
 #include "demos/pictures/camera/layout.h"
 #include "demos/pictures/camera/survey.h"

@@ -1,7 +1,7 @@
 // Cases that should stand: towers, cubes of all sizes, overlaps.
 #include "demos/reports/stability/cases.h"
 #include "demos/reports/stability/scenes.h"
-#include "demos/scenes/named/view.h"
+#include "demos/scenes/named/named_scenes.h"
 
 #include <fmt/format.h>
 

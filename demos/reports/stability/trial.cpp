@@ -6,7 +6,7 @@
 #include "demos/reports/stability/measures.h"
 #include "demos/scenes/scene_file.h"
 #include "demos/text/errors.h"
-#include "demos/text/json_file.h"
+#include "demos/text/json_reader.h"
 
 #include <fmt/format.h>
 

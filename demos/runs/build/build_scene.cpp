@@ -195,8 +195,7 @@ void resume(BuiltScene& scene, const RunState& state) {
 
 int index_of(const std::string& name, const SceneDescription& description) {
     const auto& bodies = description.bodies;
-    const auto found =
-        std::find_if(bodies.begin(), bodies.end(), [&](const auto& body) { return body.name == name; });
+    const auto found = std::ranges::find(bodies, name, &BodyDescription::name);
     if (found == bodies.end()) throw engine::InvalidInput("body", name, "the name of a body of the scene");
     return static_cast<int>(found - bodies.begin());
 }

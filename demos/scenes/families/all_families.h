@@ -5,43 +5,13 @@
 
 namespace pushfactor::demos::families {
 
-// piles.cpp: dropped bodies
-Family cubes();
-Family boxes();
-Family mixed();
-Family rods();
-Family plates();
-Family funnel();
-
-// towers.cpp: planks
-Family round_tower();
-Family square_tower();
-Family crossed();
-
-// walls.cpp: bricks
-Family wall();
-Family wall_hit();
-
-// blocks.cpp: structures of cubes and blocks
-Family pyramid();
-Family stacks();
-Family ball_on_cubes();
-
-// balances.cpp: what stands or falls by its centre of mass
-Family overhang();
-Family seesaw();
-Family taken_out();
-
-// cards.cpp: thin bodies that stand or lean
-Family card_house();
-Family dominoes();
-Family leaning_slab();
-
-// wedges.cpp: polyhedra with faces that slope
-Family cut_column();
-Family arch();
-
-// nets.cpp: bars that hang
-Family net();
+extern const Family cubes, boxes, mixed, rods, plates, funnel;  // piles.cpp: dropped bodies
+extern const Family round_tower, square_tower, crossed;         // towers.cpp: planks
+extern const Family wall, wall_hit;                             // walls.cpp: bricks
+extern const Family pyramid, stacks, ball_on_cubes;             // blocks.cpp: structures of cubes and blocks
+extern const Family overhang, seesaw, taken_out;         // balances.cpp: what stands or falls by its centre of mass
+extern const Family card_house, dominoes, leaning_slab;  // cards.cpp: thin bodies that stand or lean
+extern const Family cut_column, arch;                    // wedges.cpp: polyhedra with faces that slope
+extern const Family net;                                 // nets.cpp: bars that hang
 
 }  // namespace pushfactor::demos::families

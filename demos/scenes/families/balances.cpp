@@ -98,43 +98,38 @@ Prospect describe_taken_out(const ParameterValues& values, Random& random) {
                     along_x ? Vector3(0, y, beside) : Vector3(beside, y, 0), mu);
         }
     }
-    look_at_all(scene);
-    return {.scene = std::move(scene)};
+    return standing(std::move(scene));
 }
 
 }  // namespace
 
-Family overhang() {
-    return {"overhang",
-            "Blocks that overhang by a share less or more than the maximum.",
-            "Inside the harmonic limit L / (2 k) of the k-th block from above it stands, outside it topples.",
-            {{{"blocks", "N", "number of blocks", 0, 2, 12, true}},
-             inside_of("1: inside the limit, 0: outside"),
-             beyond_of(0.02, 0.2, "share of the limit that is left or exceeded"),
-             friction_of(0.3, 1.0)},
-            describe_overhang};
-}
+const Family overhang{
+    "overhang",
+    "Blocks that overhang by a share less or more than the maximum.",
+    "Inside the harmonic limit L / (2 k) of the k-th block from above it stands, outside it topples.",
+    {{{"blocks", "N", "number of blocks", 0, 2, 12, true}},
+     inside_of("1: inside the limit, 0: outside"),
+     beyond_of(0.02, 0.2, "share of the limit that is left or exceeded"),
+     friction_of(0.3, 1.0)},
+    describe_overhang};
 
-Family seesaw() {
-    return {"seesaw",
-            "A board across a narrow block, with a light and a heavy cube on its ends.",
-            "Stands while the common centre of board and cubes is over the block, else the heavy cube goes down.",
-            {{{"ratio", "R", "mass of the heavy cube over that of the light one", 0, 1, 300}, Draw::by_decades},
-             {{"width", "M", "of the block, m", 0, 0.05, 0.4}},
-             inside_of("1: over the block, 0: beside it"),
-             beyond_of(0.02, 0.2, "share of half the width that is left or exceeded"),
-             friction_of(0.3, 1.0)},
-            describe_seesaw};
-}
+const Family seesaw{
+    "seesaw",
+    "A board across a narrow block, with a light and a heavy cube on its ends.",
+    "Stands while the common centre of board and cubes is over the block, else the heavy cube goes down.",
+    {{{"ratio", "R", "mass of the heavy cube over that of the light one", 0, 1, 300}, Draw::by_decades},
+     {{"width", "M", "of the block, m", 0, 0.05, 0.4}},
+     inside_of("1: over the block, 0: beside it"),
+     beyond_of(0.02, 0.2, "share of half the width that is left or exceeded"),
+     friction_of(0.3, 1.0)},
+    describe_seesaw};
 
-Family taken_out() {
-    return {"taken-out",
-            "Storeys of three planks, each across the one below, from which planks have been taken.",
-            "Stands: what is above a storey has its centre over the planks that are left of it.",
-            {{{"storeys", "N", "number of storeys", 0, 3, 40, true}, Draw::by_decades},
-             {{"taken", "X", "share of the planks that are tried", 0, 0, 0.7}},
-             friction_of(0.3, 1.0)},
-            describe_taken_out};
-}
+const Family taken_out{"taken-out",
+                       "Storeys of three planks, each across the one below, from which planks have been taken.",
+                       "Stands: what is above a storey has its centre over the planks that are left of it.",
+                       {{{"storeys", "N", "number of storeys", 0, 3, 40, true}, Draw::by_decades},
+                        {{"taken", "X", "share of the planks that are tried", 0, 0, 0.7}},
+                        friction_of(0.3, 1.0)},
+                       describe_taken_out};
 
 }  // namespace pushfactor::demos::families

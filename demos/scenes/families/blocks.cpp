@@ -22,8 +22,7 @@ Prospect describe_pyramid(const ParameterValues& values, Random&) {
                     mu);
         }
     }
-    look_at_all(scene);
-    return {.scene = std::move(scene)};
+    return standing(std::move(scene));
 }
 
 Prospect describe_stacks(const ParameterValues& values, Random& random) {
@@ -45,8 +44,7 @@ Prospect describe_stacks(const ParameterValues& values, Random& random) {
                 .orientation = turned(angle);
         }
     }
-    look_at_all(scene);
-    return {.scene = std::move(scene)};
+    return standing(std::move(scene));
 }
 
 // With an even number of cubes per side the ball sinks between the four middle ones by their gap.
@@ -68,40 +66,33 @@ Prospect describe_ball_on_cubes(const ParameterValues& values, Random&) {
     const double beside = n % 2 == 0 ? 0.5 * gap * std::numbers::sqrt2 : 0.0;
     add_ball(scene, "ball", radius, values.number("mass"),
              {0, top + std::sqrt(radius * radius - beside * beside), 0}, mu);
-    look_at_all(scene);
-    return {.scene = std::move(scene)};
+    return standing(std::move(scene));
 }
 
 }  // namespace
 
-Family pyramid() {
-    return {"pyramid",
-            "A pyramid of cubes of 1 m and 1 kg in one plane, the topmost heavier.",
-            "Stands: every cube lies on two others under its own middle, whatever it weighs.",
-            {{{"rows", "N", "number of rows", 0, 2, 20, true}},
-             {{"mass-ratio", "R", "mass of the topmost, kg", 0, 1, 1000}, Draw::by_decades},
-             friction_of(0.3, 1.0)},
-            describe_pyramid};
-}
+const Family pyramid{"pyramid",
+                     "A pyramid of cubes of 1 m and 1 kg in one plane, the topmost heavier.",
+                     "Stands: every cube lies on two others under its own middle, whatever it weighs.",
+                     {{{"rows", "N", "number of rows", 0, 2, 20, true}},
+                      {{"mass-ratio", "R", "mass of the topmost, kg", 0, 1, 1000}, Draw::by_decades},
+                      friction_of(0.3, 1.0)},
+                     describe_pyramid};
 
-Family stacks() {
-    return {
-        "stacks",
-        "Independent stacks of two to five cubes, each a little off its axis.",
-        "Stands: what is above a cube has its centre over it, as no cube is off by more than a tenth of its side.",
-        {{{"stacks", "N", "number of stacks", 0, 4, 100, true}, Draw::by_decades}, friction_of(0.3, 1.0)},
-        describe_stacks};
-}
+const Family stacks{
+    "stacks",
+    "Independent stacks of two to five cubes, each a little off its axis.",
+    "Stands: what is above a cube has its centre over it, as no cube is off by more than a tenth of its side.",
+    {{{"stacks", "N", "number of stacks", 0, 4, 100, true}, Draw::by_decades}, friction_of(0.3, 1.0)},
+    describe_stacks};
 
-Family ball_on_cubes() {
-    return {"ball-on-cubes",
-            "A heavy ball on n x n x n cubes of 0.3 m and 1 kg.",
-            "Stands: the ball presses straight down on columns of cubes.",
-            {{{"side", "N", "cubes per side", 0, 2, 4, true}},
-             {{"mass", "KG", "of the ball, kg", 0, 50, 5000}, Draw::by_decades},
-             {{"gap", "M", "space between the cubes, m", 0, 0, 0.001}},
-             friction_of(0.3, 1.0)},
-            describe_ball_on_cubes};
-}
+const Family ball_on_cubes{"ball-on-cubes",
+                           "A heavy ball on n x n x n cubes of 0.3 m and 1 kg.",
+                           "Stands: the ball presses straight down on columns of cubes.",
+                           {{{"side", "N", "cubes per side", 0, 2, 4, true}},
+                            {{"mass", "KG", "of the ball, kg", 0, 50, 5000}, Draw::by_decades},
+                            {{"gap", "M", "space between the cubes, m", 0, 0, 0.001}},
+                            friction_of(0.3, 1.0)},
+                           describe_ball_on_cubes};
 
 }  // namespace pushfactor::demos::families

@@ -35,8 +35,7 @@ Prospect describe_card_house(const ParameterValues& values, Random&) {
                     {top - 0.5 * pitch, ground + 2.0 * above + 0.5 * thickness, 0}, mu);
         }
     }
-    look_at_all(scene);
-    return {.scene = std::move(scene)};
+    return standing(std::move(scene));
 }
 
 // The first one rotates about its lower front edge, with 1.5 times the energy that takes it past its balance.
@@ -92,37 +91,32 @@ Prospect describe_leaning_slab(const ParameterValues& values, Random&) {
 
 }  // namespace
 
-Family card_house() {
-    return {"card-house",
-            "A house of cards of 1 m and 0.1 kg that lean by 0.2 rad.",
-            "Stands: at the ground a pair needs a friction of about tan(0.2) / 2 to hold and has much more.",
-            {{{"storeys", "N", "number of storeys", 0, 1, 5, true}},
-             {{"slenderness", "R", "height of a card over its thickness", 0, 10, 50}},
-             friction_of(0.7, 1.0)},
-            describe_card_house};
-}
+const Family card_house{
+    "card-house",
+    "A house of cards of 1 m and 0.1 kg that lean by 0.2 rad.",
+    "Stands: at the ground a pair needs a friction of about tan(0.2) / 2 to hold and has much more.",
+    {{{"storeys", "N", "number of storeys", 0, 1, 5, true}},
+     {{"slenderness", "R", "height of a card over its thickness", 0, 10, 50}},
+     friction_of(0.7, 1.0)},
+    describe_card_house};
 
-Family dominoes() {
-    return {"dominoes",
-            "A row of dominoes of 1 m, the first of which tips over.",
-            "Topples: each has passed its balance before it hits the next one, and falls on.",
-            {{{"count", "N", "number of dominoes", 0, 3, 200, true}, Draw::by_decades},
-             {{"spacing", "M", "from one to the next, m", 0, 0.35, 0.7}},
-             {{"thickness", "M", "of a domino, m", 0, 0.05, 0.12}},
-             friction_of(0.4, 0.8)},
-            describe_dominoes};
-}
+const Family dominoes{"dominoes",
+                      "A row of dominoes of 1 m, the first of which tips over.",
+                      "Topples: each has passed its balance before it hits the next one, and falls on.",
+                      {{{"count", "N", "number of dominoes", 0, 3, 200, true}, Draw::by_decades},
+                       {{"spacing", "M", "from one to the next, m", 0, 0.35, 0.7}},
+                       {{"thickness", "M", "of a domino, m", 0, 0.05, 0.12}},
+                       friction_of(0.4, 0.8)},
+                      describe_dominoes};
 
-Family leaning_slab() {
-    return {"leaning-slab",
-            "A slab leans against a wall, with more or less friction at the ground than it needs.",
-            "With more than the static limit it stands, with less it slides down.",
-            {{{"lean", "RAD", "from the vertical, rad", 0, 0.15, 0.8}},
-             {{"thickness", "M", "of the slab of 2 m, m", 0, 0.02, 0.2}},
-             {{"wall-friction", "MU", "friction coefficient at the wall", 0, 0, 0.6}},
-             inside_of("1: more friction than the limit, 0: less"),
-             beyond_of(0.05, 0.5, "share of the limit by which it is more or less")},
-            describe_leaning_slab};
-}
+const Family leaning_slab{"leaning-slab",
+                          "A slab leans against a wall, with more or less friction at the ground than it needs.",
+                          "With more than the static limit it stands, with less it slides down.",
+                          {{{"lean", "RAD", "from the vertical, rad", 0, 0.15, 0.8}},
+                           {{"thickness", "M", "of the slab of 2 m, m", 0, 0.02, 0.2}},
+                           {{"wall-friction", "MU", "friction coefficient at the wall", 0, 0, 0.6}},
+                           inside_of("1: more friction than the limit, 0: less"),
+                           beyond_of(0.05, 0.5, "share of the limit by which it is more or less")},
+                          describe_leaning_slab};
 
 }  // namespace pushfactor::demos::families

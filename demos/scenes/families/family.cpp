@@ -31,18 +31,16 @@ double rounded(double value) {
 }  // namespace
 
 std::span<const Family> families() {
-    static const std::vector<Family> all{
-        cubes(),         boxes(),    mixed(),        rods(),     funnel(),   round_tower(),
-        square_tower(),  crossed(),  wall(),         wall_hit(), pyramid(),  card_house(),
-        ball_on_cubes(), dominoes(), leaning_slab(), stacks(),   overhang(), seesaw(),
-        taken_out(),     plates(),   cut_column(),   arch(),     net()};
+    static const std::vector<Family> all{cubes,         boxes,    mixed,        rods,     funnel,   round_tower,
+                                         square_tower,  crossed,  wall,         wall_hit, pyramid,  card_house,
+                                         ball_on_cubes, dominoes, leaning_slab, stacks,   overhang, seesaw,
+                                         taken_out,     plates,   cut_column,   arch,     net};
     return all;
 }
 
 const Family* find_family(std::string_view name) {
     const auto all = families();
-    const auto found =
-        std::find_if(all.begin(), all.end(), [name](const Family& family) { return family.name == name; });
+    const auto found = std::ranges::find(all, name, &Family::name);
     return found == all.end() ? nullptr : &*found;
 }
 

@@ -53,19 +53,17 @@ Prospect describe_net(const ParameterValues& values, Random& random) {
             if (i > 0) scene.distances.push_back({.a = end(i, j), .b = end(i, j + 1)});
         }
     }
-    look_at_all(scene);
-    return {.scene = std::move(scene)};
+    return standing(std::move(scene));
 }
 
 }  // namespace
 
-Family net() {
-    return {"net",
-            "A square net of bars between knots of 0.5 to 1.5 kg, its border fixed, with a weight in the middle.",
-            "Stands: it hangs in the shape in which all bars pull with the same force per length.",
-            {{{"meshes", "N", "meshes per side", 0, 2, 20, true}},
-             {{"mass", "KG", "of the weight, kg", 0, 1, 1000}, Draw::by_decades}},
-            describe_net};
-}
+const Family net{
+    "net",
+    "A square net of bars between knots of 0.5 to 1.5 kg, its border fixed, with a weight in the middle.",
+    "Stands: it hangs in the shape in which all bars pull with the same force per length.",
+    {{{"meshes", "N", "meshes per side", 0, 2, 20, true}},
+     {{"mass", "KG", "of the weight, kg", 0, 1, 1000}, Draw::by_decades}},
+    describe_net};
 
 }  // namespace pushfactor::demos::families

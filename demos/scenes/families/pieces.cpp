@@ -1,6 +1,6 @@
 #include "demos/scenes/families/pieces.h"
 
-#include "demos/scenes/named/view.h"
+#include "demos/scenes/named/named_scenes.h"
 
 #include <algorithm>
 
@@ -29,10 +29,15 @@ double more_than_limit(const ParameterValues& values) {
     return values.whole("inside") == 1 ? 1.0 + values.number("beyond") : 1.0 - values.number("beyond");
 }
 
+Prospect standing(SceneDescription scene) {
+    look_at_all(scene);
+    return {.scene = std::move(scene)};
+}
+
 Prospect ends_by_limit(const ParameterValues& values, SceneDescription scene, Ends outside, double rest_by,
                        const std::string& leaving) {
+    if (values.whole("inside") == 1) return standing(std::move(scene));
     look_at_all(scene);
-    if (values.whole("inside") == 1) return {.scene = std::move(scene)};
     return {.scene = std::move(scene), .ends = outside, .rest_by = rest_by, .leaving = {leaving}};
 }
 
@@ -45,9 +50,8 @@ SceneDescription on_ground(double friction) {
 
 BodyDescription& add_box(SceneDescription& scene, const std::string& name, const Vector3& size, double mass,
                          const Vector3& position, double friction) {
-    scene.bodies.push_back(
-        {.name = name, .shape = BoxShape{size}, .mass = mass, .position = position, .friction = friction});
-    return scene.bodies.back();
+    return scene.bodies.emplace_back(BodyDescription{
+        .name = name, .shape = BoxShape{size}, .mass = mass, .position = position, .friction = friction});
 }
 
 BodyDescription& add_ball(SceneDescription& scene, const std::string& name, double radius, double mass,

@@ -22,6 +22,9 @@ FamilyParameter beyond_of(double low, double high, std::string_view help);
 // What such a member has of its limit, where standing takes less than that, or more.
 double less_than_limit(const ParameterValues& values);
 double more_than_limit(const ParameterValues& values);
+// A member that stands.
+Prospect standing(SceneDescription scene);
+
 // Within its limit the member stands, else these bodies leave by the time `rest_by` [s].
 Prospect ends_by_limit(const ParameterValues& values, SceneDescription scene, Ends outside, double rest_by,
                        const std::string& leaving);

@@ -1,7 +1,7 @@
 // Piles: dropped bodies come to rest somewhere, because every contact dissipates energy and none adds any.
 #include "demos/scenes/families/all_families.h"
 #include "demos/scenes/families/pieces.h"
-#include "demos/scenes/named/funnel.h"
+#include "demos/scenes/named/named_scenes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -146,59 +146,48 @@ Prospect describe_funnel(const ParameterValues& values, Random& random) {
 
 }  // namespace
 
-Family cubes() {
-    return {"cubes",
-            "Equal cubes of 0.4 m, turned at random, are dropped in layers.",
-            "Comes to rest: every impact takes energy and nothing gives any.",
-            {count, layers, friction_of(0.1, 1.0)},
-            describe_cubes};
-}
+const Family cubes{"cubes",
+                   "Equal cubes of 0.4 m, turned at random, are dropped in layers.",
+                   "Comes to rest: every impact takes energy and nothing gives any.",
+                   {count, layers, friction_of(0.1, 1.0)},
+                   describe_cubes};
 
-Family boxes() {
-    return {"boxes",
-            "Boxes with edges of 0.1 to 0.5 m and masses of 0.5 to 5 kg are dropped in layers.",
-            "Comes to rest: every impact takes energy and nothing gives any.",
-            {count, layers, friction_of(0.1, 1.0)},
-            describe_boxes};
-}
+const Family boxes{"boxes",
+                   "Boxes with edges of 0.1 to 0.5 m and masses of 0.5 to 5 kg are dropped in layers.",
+                   "Comes to rest: every impact takes energy and nothing gives any.",
+                   {count, layers, friction_of(0.1, 1.0)},
+                   describe_boxes};
 
-Family mixed() {
-    return {"mixed",
-            "Balls, boxes and cubes, a third each, of 0.5 to 5 kg, are dropped in layers.",
-            "Comes to rest but for balls, which may roll for ever and push boxes.",
-            {count, layers, friction_of(0.1, 1.0)},
-            describe_mixed};
-}
+const Family mixed{"mixed",
+                   "Balls, boxes and cubes, a third each, of 0.5 to 5 kg, are dropped in layers.",
+                   "Comes to rest but for balls, which may roll for ever and push boxes.",
+                   {count, layers, friction_of(0.1, 1.0)},
+                   describe_mixed};
 
-Family rods() {
-    return {"rods",
-            "Rods are thrown down on cubes that are dropped.",
-            "Comes to rest: every impact takes energy and nothing gives any.",
-            {{{"count", "N", "number of cubes", 0, 5, 1000, true}, Draw::by_decades},
-             layers,
-             {{"rods", "N", "number of rods", 0, 3, 500, true}, Draw::by_decades},
-             {{"speed", "M/S", "at which the rods are thrown, m/s", 0, 0, 20}},
-             friction_of(0.1, 1.0)},
-            describe_rods};
-}
+const Family rods{"rods",
+                  "Rods are thrown down on cubes that are dropped.",
+                  "Comes to rest: every impact takes energy and nothing gives any.",
+                  {{{"count", "N", "number of cubes", 0, 5, 1000, true}, Draw::by_decades},
+                   layers,
+                   {{"rods", "N", "number of rods", 0, 3, 500, true}, Draw::by_decades},
+                   {{"speed", "M/S", "at which the rods are thrown, m/s", 0, 0, 20}},
+                   friction_of(0.1, 1.0)},
+                  describe_rods};
 
-Family plates() {
-    return {"plates",
-            "Plates of 0.3 to 0.5 m and 1000 kg/m^3 are dropped in layers, nearly flat.",
-            "Comes to rest: every impact takes energy and nothing gives any.",
-            {{{"count", "N", "number of plates", 0, 5, 1000, true}, Draw::by_decades},
-             layers,
-             {{"thickness", "M", "of a plate, m", 0, 0.02, 0.1}},
-             friction_of(0.1, 1.0)},
-            describe_plates};
-}
+const Family plates{"plates",
+                    "Plates of 0.3 to 0.5 m and 1000 kg/m^3 are dropped in layers, nearly flat.",
+                    "Comes to rest: every impact takes energy and nothing gives any.",
+                    {{{"count", "N", "number of plates", 0, 5, 1000, true}, Draw::by_decades},
+                     layers,
+                     {{"thickness", "M", "of a plate, m", 0, 0.02, 0.1}},
+                     friction_of(0.1, 1.0)},
+                    describe_plates};
 
-Family funnel() {
-    return {"funnel",
-            "Balls of 0.5 m fall into a funnel of four planes.",
-            "Comes to rest: no ball can roll anywhere but down.",
-            {{{"count", "N", "number of balls", 0, 5, 2000, true}, Draw::by_decades}, friction_of(0.2, 0.8)},
-            describe_funnel};
-}
+const Family funnel{
+    "funnel",
+    "Balls of 0.5 m fall into a funnel of four planes.",
+    "Comes to rest: no ball can roll anywhere but down.",
+    {{{"count", "N", "number of balls", 0, 5, 2000, true}, Draw::by_decades}, friction_of(0.2, 0.8)},
+    describe_funnel};
 
 }  // namespace pushfactor::demos::families

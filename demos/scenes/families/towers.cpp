@@ -15,11 +15,6 @@ const Vector3 plank(1.2, 0.08, 0.24);  // m
 constexpr double plank_mass = 14.0;    // kg
 constexpr const char* upright = "Stands: each layer lies flat on the one below, under its own middle.";
 
-Prospect standing(SceneDescription scene) {
-    look_at_all(scene);
-    return {.scene = std::move(scene)};
-}
-
 std::string name_of_plank(const char* layer, int k, int i) {
     return layer + std::to_string(k + 1) + " plank " + std::to_string(i + 1);
 }
@@ -78,32 +73,27 @@ Prospect describe_crossed(const ParameterValues& values, Random&) {
 
 }  // namespace
 
-Family round_tower() {
-    return {"round-tower",
-            "A round tower of planks, each ring turned by half a plank.",
-            upright,
-            {{{"planks", "N", "planks per ring", 0, 8, 20, true}},
-             {{"rings", "N", "number of rings", 0, 2, 60, true}, Draw::by_decades},
-             friction_of(0.3, 1.0)},
-            describe_round};
-}
+const Family round_tower{"round-tower",
+                         "A round tower of planks, each ring turned by half a plank.",
+                         upright,
+                         {{{"planks", "N", "planks per ring", 0, 8, 20, true}},
+                          {{"rings", "N", "number of rings", 0, 2, 60, true}, Draw::by_decades},
+                          friction_of(0.3, 1.0)},
+                         describe_round};
 
-Family square_tower() {
-    return {"square-tower",
-            "A square tower of planks, four per storey, laid like logs.",
-            upright,
-            {{{"storeys", "N", "number of storeys", 0, 2, 60, true}, Draw::by_decades}, friction_of(0.3, 1.0)},
-            describe_square};
-}
+const Family square_tower{
+    "square-tower",
+    "A square tower of planks, four per storey, laid like logs.",
+    upright,
+    {{{"storeys", "N", "number of storeys", 0, 2, 60, true}, Draw::by_decades}, friction_of(0.3, 1.0)},
+    describe_square};
 
-Family crossed() {
-    return {"crossed",
-            "Layers of three planks, each across the one below.",
-            upright,
-            {{{"layers", "N", "number of layers", 0, 2, 60, true}, Draw::by_decades},
-             {{"gap", "M", "space between the planks of a layer, m", 0, 0, 0.05}},
-             friction_of(0.3, 1.0)},
-            describe_crossed};
-}
+const Family crossed{"crossed",
+                     "Layers of three planks, each across the one below.",
+                     upright,
+                     {{{"layers", "N", "number of layers", 0, 2, 60, true}, Draw::by_decades},
+                      {{"gap", "M", "space between the planks of a layer, m", 0, 0, 0.05}},
+                      friction_of(0.3, 1.0)},
+                     describe_crossed};
 
 }  // namespace pushfactor::demos::families

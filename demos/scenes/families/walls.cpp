@@ -39,8 +39,7 @@ SceneDescription bricks(const ParameterValues& values) {
 
 Prospect describe_wall(const ParameterValues& values, Random&) {
     SceneDescription scene = bricks(values);
-    look_at_all(scene);
-    return {.scene = std::move(scene)};
+    return standing(std::move(scene));
 }
 
 Prospect describe_wall_hit(const ParameterValues& values, Random& random) {
@@ -58,25 +57,21 @@ Prospect describe_wall_hit(const ParameterValues& values, Random& random) {
 
 }  // namespace
 
-Family wall() {
-    return {"wall",
-            "A wall of bricks in bond, with or without gaps between neighbours.",
-            "Stands: every brick lies on two others, or on a half and another, under its own middle.",
-            {rows, columns, gap, friction_of(0.3, 1.0)},
-            describe_wall};
-}
+const Family wall{"wall",
+                  "A wall of bricks in bond, with or without gaps between neighbours.",
+                  "Stands: every brick lies on two others, or on a half and another, under its own middle.",
+                  {rows, columns, gap, friction_of(0.3, 1.0)},
+                  describe_wall};
 
-Family wall_hit() {
-    return {"wall-hit",
-            "A heavy ball flies into a wall of bricks.",
-            "Bricks come to rest; the ball may roll on for ever.",
-            {rows,
-             columns,
-             gap,
-             friction_of(0.3, 1.0),
-             {{"mass", "KG", "of the ball, kg", 0, 5, 500}, Draw::by_decades},
-             {{"speed", "M/S", "of the ball, m/s", 0, 5, 20}}},
-            describe_wall_hit};
-}
+const Family wall_hit{"wall-hit",
+                      "A heavy ball flies into a wall of bricks.",
+                      "Bricks come to rest; the ball may roll on for ever.",
+                      {rows,
+                       columns,
+                       gap,
+                       friction_of(0.3, 1.0),
+                       {{"mass", "KG", "of the ball, kg", 0, 5, 500}, Draw::by_decades},
+                       {{"speed", "M/S", "of the ball, m/s", 0, 5, 20}}},
+                      describe_wall_hit};
 
 }  // namespace pushfactor::demos::families

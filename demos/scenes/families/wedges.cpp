@@ -65,25 +65,21 @@ Prospect describe_arch(const ParameterValues& values, Random&) {
 
 }  // namespace
 
-Family cut_column() {
-    return {"cut-column",
-            "A column of cubes of 1 m, each cut in two by an inclined plane.",
-            "Stands if friction exceeds the tangent of the cuts' angle, else the upper halves slide.",
-            {{{"cubes", "N", "number of cubes", 0, 1, 12, true}},
-             {{"angle", "RAD", "of the cuts, rad", 0, 0.1, 0.6}},
-             inside_of("1: more friction than the limit, 0: less"),
-             beyond_of(0.05, 0.3, "share of the limit by which it is more or less")},
-            describe_cut_column};
-}
+const Family cut_column{"cut-column",
+                        "A column of cubes of 1 m, each cut in two by an inclined plane.",
+                        "Stands if friction exceeds the tangent of the cuts' angle, else the upper halves slide.",
+                        {{{"cubes", "N", "number of cubes", 0, 1, 12, true}},
+                         {{"angle", "RAD", "of the cuts, rad", 0, 0.1, 0.6}},
+                         inside_of("1: more friction than the limit, 0: less"),
+                         beyond_of(0.05, 0.3, "share of the limit by which it is more or less")},
+                        describe_cut_column};
 
-Family arch() {
-    return {"arch",
-            "A semicircular arch, thicker or thinner than the least thickness that can stand.",
-            "Stands if a line of thrust fits inside its joints (Heyman 1966), else it falls.",
-            {{{"voussoirs", "N", "number of voussoirs", 0, 4, 61, true}},
-             inside_of("1: thicker than the limit, 0: thinner"),
-             beyond_of(0.02, 0.3, "share of the limit by which it is more or less")},
-            describe_arch};
-}
+const Family arch{"arch",
+                  "A semicircular arch, thicker or thinner than the least thickness that can stand.",
+                  "Stands if a line of thrust fits inside its joints (Heyman 1966), else it falls.",
+                  {{{"voussoirs", "N", "number of voussoirs", 0, 4, 61, true}},
+                   inside_of("1: thicker than the limit, 0: thinner"),
+                   beyond_of(0.02, 0.3, "share of the limit by which it is more or less")},
+                  describe_arch};
 
 }  // namespace pushfactor::demos::families

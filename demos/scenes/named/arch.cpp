@@ -2,7 +2,7 @@
 // polygons. Nothing holds them but weight, contact and friction. The abutments are static.
 #include "demos/scenes/named/arch.h"
 
-#include "demos/scenes/named/view.h"
+#include "demos/scenes/named/named_scenes.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,6 @@
 // A chain of balls on bars of 1 m, released from the horizontal. Under a heavy end it is stiff against sideways
 // motion, which the time step has to resolve.
 #include "demos/scenes/named/named_scenes.h"
-#include "demos/scenes/named/view.h"
 
 #include <array>
 #include <cmath>

@@ -2,7 +2,6 @@
 // them. The first one starts with the angular velocity that takes it a little beyond its balance. All lengths grow
 // with --height, and speeds with its square root.
 #include "demos/scenes/named/named_scenes.h"
-#include "demos/scenes/named/view.h"
 
 #include <array>
 #include <cmath>

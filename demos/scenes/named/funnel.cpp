@@ -1,8 +1,6 @@
 // Paper section 10.3: "20 balls in a pyramid funnel created out of 4 infinite planes". The paper gives no numbers:
 // here the planes are inclined by 45 degrees and meet at the origin, and the balls have 0.5 m radius and 1 kg.
-#include "demos/scenes/named/funnel.h"
-
-#include "demos/scenes/named/view.h"
+#include "demos/scenes/named/named_scenes.h"
 #include "demos/scenes/random.h"
 
 #include <array>
@@ -23,11 +21,11 @@ constexpr double first_layer = 4.0;  // m above the tip
 constexpr int in_the_tower = 20;     // more balls than this start in layers
 
 void add_ball(SceneDescription& scene, const Vector3& position) {
-    BodyDescription ball{
-        .name = "ball " + std::to_string(scene.bodies.size() - 3), .shape = SphereShape{radius}, .mass = 1.0};
-    ball.position = position;
-    ball.friction = friction;
-    scene.bodies.push_back(ball);
+    scene.bodies.push_back({.name = "ball " + std::to_string(scene.bodies.size() - 3),
+                            .shape = SphereShape{radius},
+                            .mass = 1.0,
+                            .position = position,
+                            .friction = friction});
 }
 
 void add_tower(SceneDescription& scene, int count, Random& random) {

@@ -3,7 +3,6 @@
 // resting on top it will push the pendulums to the side and fall through." The paper gives no numbers; with these
 // all five objects are held, and a steady force of 40 N (60 N here by default once asked for) presses one through.
 #include "demos/scenes/named/named_scenes.h"
-#include "demos/scenes/named/view.h"
 #include "engine/world.h"
 
 #include <array>
@@ -46,8 +45,8 @@ void add_pendulums(SceneDescription& scene) {
             BodyDescription ball{.name = "pendulum " + std::to_string(i + 1) + "-" + std::to_string(j + 1),
                                  .shape = SphereShape{ball_radius},
                                  .mass = mass,
-                                 .position = centre};
-            ball.colour = "blue";
+                                 .position = centre,
+                                 .colour = "blue"};
             scene.distances.push_back({.a = {"world", centre + Vector3(0, ball_radius + bar, 0)},
                                        .b = {ball.name, Vector3(0, ball_radius, 0)},
                                        .length = bar});
@@ -58,9 +57,7 @@ void add_pendulums(SceneDescription& scene) {
 
 void add_object(SceneDescription& scene, const std::string& name, const decltype(BodyDescription::shape)& shape,
                 const Vector3& position, const char* colour) {
-    BodyDescription object{.name = name, .shape = shape, .mass = 1.0, .position = position};
-    object.colour = colour;
-    scene.bodies.push_back(object);
+    scene.bodies.push_back({.name = name, .shape = shape, .mass = 1.0, .position = position, .colour = colour});
 }
 
 }  // namespace

@@ -2,8 +2,7 @@
 // each as likely, above the funnel of section 10.3.
 #include "demos/scenes/named/platonic.h"
 
-#include "demos/scenes/named/funnel.h"
-#include "demos/scenes/named/view.h"
+#include "demos/scenes/named/named_scenes.h"
 #include "demos/scenes/random.h"
 
 #include <algorithm>

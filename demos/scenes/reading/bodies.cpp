@@ -1,7 +1,5 @@
-#include "demos/scenes/reading/bodies.h"
-
-#include "demos/scenes/motions/motion_file.h"
-#include "demos/scenes/reading/fields.h"
+// The bodies of a scene file.
+#include "demos/scenes/reading/parts.h"
 
 #include <fmt/format.h>
 
@@ -118,34 +116,8 @@ BodyDescription read_body(const JsonReader& json, Polyhedra& polyhedra) {
         body.shape = polyhedron.shape;
     }
     if (!fixed && !std::holds_alternative<PlaneShape>(body.shape)) body.mass = read_mass(json, body);
-
-    if (json.has("moments_of_inertia_kg_m2")) {
-        body.moments = read_moments(json.at("moments_of_inertia_kg_m2"), body);
-    }
-    if (json.has("motion")) {
-        if (body.mass)
-            json.at("motion").refuse("left out of a body with a mass; \"static\": true makes it one without");
-        body.motion = read_motion(json.at("motion"));
-    }
-
-    const auto vector = [&json](const char* key, Vector3& into) {
-        if (json.has(key)) into = json.at(key).vector();
-    };
-    vector("position_m", body.position);
-    if (json.has("orientation_wxyz")) body.orientation = json.at("orientation_wxyz").rotation();
-    vector("velocity_m_per_s", body.velocity);
-    vector("angular_velocity_rad_per_s", body.angular_velocity);
-    vector("surface_velocity_m_per_s", body.surface_velocity);
-    if (json.has("surface_from_s")) body.surface_from = json.at("surface_from_s").number(0.0, 1e9);
-    if (json.has("linear_momentum_kg_m_per_s"))
-        body.linear_momentum = json.at("linear_momentum_kg_m_per_s").vector();
-    if (json.has("angular_momentum_kg_m2_per_s"))
-        body.angular_momentum = json.at("angular_momentum_kg_m2_per_s").vector();
-    if (json.has("friction")) body.friction = json.at("friction").number(0.0, 100.0);
-    if (json.has("restitution")) body.restitution = json.at("restitution").number(0.0, 1.0);
-    if (json.has("material")) body.material = read_name(json.at("material"));
-    if (json.has("group")) body.group = read_name(json.at("group"));
-    if (json.has("measured_of")) body.measured_of = read_name(json.at("measured_of"));
+    Fields fields(json);
+    describe(fields, body);
     if (is_polyhedron) {
         give_polyhedron(body, polyhedron);
         polyhedra.by_body[body.name] = polyhedron;
@@ -155,52 +127,86 @@ BodyDescription read_body(const JsonReader& json, Polyhedra& polyhedra) {
 
 }  // namespace
 
-void read_bodies(const JsonReader& json, SceneDescription& scene, BodyNames& names, Polyhedra& polyhedra) {
-    const std::vector<JsonReader> bodies = json.elements();
-    if (bodies.size() > most_bodies) json.refuse(fmt::format("at most {} bodies", most_bodies));
-    for (const JsonReader& body : bodies) {
-        scene.bodies.push_back(read_body(body, polyhedra));
-        const std::string& name = scene.bodies.back().name;
-        if (name.empty() || name == "world") body.at("name").refuse("a name other than world");
-        if (!names.emplace(name, !scene.bodies.back().mass).second)
-            body.at("name").refuse("a name that no other body has");
-    }
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
-        const BodyDescription& body = scene.bodies[i];
-        if (body.measured_of.empty()) continue;
-        if (!body.motion) bodies[i].at("measured_of").refuse("left out of a body without a motion");
-        const auto measured = names.find(body.measured_of);
-        if (measured == names.end() || measured->second) {
-            bodies[i].at("measured_of").refuse("the name of a body with a mass");
-        }
-    }
+void describe(Fields& fields, BodyDescription& body) {
+    const auto vector = &JsonReader::vector;
+    const auto moments = [&](const JsonReader& json) { return read_moments(json, body); };
+    const auto motion = [&](const JsonReader& json) {
+        if (body.mass) json.refuse("left out of a body with a mass; \"static\": true makes it one without");
+        return read_motion(json);
+    };
+    fields.if_any("moments_of_inertia_kg_m2", body.moments, moments);
+    fields.may("position_m", body.position, vector);
+    fields.may("orientation_wxyz", body.orientation, &JsonReader::rotation);
+    fields.if_any("velocity_m_per_s", body.velocity, vector);
+    fields.if_any("angular_velocity_rad_per_s", body.angular_velocity, vector);
+    fields.if_any("linear_momentum_kg_m_per_s", body.linear_momentum, vector);
+    fields.if_any("angular_momentum_kg_m2_per_s", body.angular_momentum, vector);
+    fields.may("friction", body.friction, between(0.0, 100.0));
+    fields.if_any("motion", body.motion, motion);
+    fields.if_any("restitution", body.restitution, between(0.0, 1.0));
+    fields.if_any("material", body.material, read_name);
+    fields.if_any("group", body.group, read_name);
+    fields.if_any("surface_velocity_m_per_s", body.surface_velocity, vector);
+    fields.if_any("surface_from_s", body.surface_from, between(0.0, 1e9));
+    fields.if_any("measured_of", body.measured_of, read_name);
 }
 
-const std::vector<std::string>& body_keys() {
-    static const Keys keys{"name",
-                           "shape",
-                           "size_m",
-                           "radius_m",
-                           "points_m",
-                           "obj_file",
-                           "mass_kg",
-                           "density_kg_per_m3",
-                           "moments_of_inertia_kg_m2",
-                           "static",
-                           "motion",
-                           "position_m",
-                           "orientation_wxyz",
-                           "velocity_m_per_s",
-                           "angular_velocity_rad_per_s",
-                           "linear_momentum_kg_m_per_s",
-                           "angular_momentum_kg_m2_per_s",
-                           "friction",
-                           "restitution",
-                           "material",
-                           "group",
-                           "surface_velocity_m_per_s",
-                           "surface_from_s",
-                           "measured_of"};
+std::vector<BodyDescription> read_bodies(const JsonReader& json, BodyNames& names, Polyhedra& polyhedra) {
+    const std::vector<JsonReader> entries = json.elements();
+    if (entries.size() > most_bodies) json.refuse(fmt::format("at most {} bodies", most_bodies));
+    std::vector<BodyDescription> bodies;
+    for (const JsonReader& entry : entries) {
+        bodies.push_back(read_body(entry, polyhedra));
+        const std::string& name = bodies.back().name;
+        if (name.empty() || name == "world") entry.at("name").refuse("a name other than world");
+        if (!names.emplace(name, !bodies.back().mass).second)
+            entry.at("name").refuse("a name that no other body has");
+    }
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        const BodyDescription& body = bodies[i];
+        if (body.measured_of.empty()) continue;
+        if (!body.motion) entries[i].at("measured_of").refuse("left out of a body without a motion");
+        const auto measured = names.find(body.measured_of);
+        if (measured == names.end() || measured->second) {
+            entries[i].at("measured_of").refuse("the name of a body with a mass");
+        }
+    }
+    return bodies;
+}
+
+Json to_json(const BodyDescription& body) {
+    Json json{{"name", body.name}};
+    std::visit(engine::Overloaded{[&](const BoxShape& box) {
+                                      json["shape"] = "box";
+                                      json["size_m"] = to_json(box.size);
+                                  },
+                                  [&](const SphereShape& sphere) {
+                                      json["shape"] = "sphere";
+                                      json["radius_m"] = sphere.radius;
+                                  },
+                                  [&](const PlaneShape&) { json["shape"] = "plane"; },
+                                  [&](const PolyhedronShape& polyhedron) {
+                                      json["shape"] = "polyhedron";
+                                      for (const Vector3& point : polyhedron.points()) {
+                                          json["points_m"].push_back(to_json(point));
+                                      }
+                                  }},
+               body.shape);
+    if (body.mass) {
+        json["mass_kg"] = *body.mass;
+    } else if (!std::holds_alternative<PlaneShape>(body.shape)) {
+        json["static"] = true;
+    }
+    Fields fields(json);
+    BodyDescription rest = body;
+    describe(fields, rest);
+    return json;
+}
+
+const Keys& body_keys() {
+    static const Keys keys = joined(
+        {{"name", "shape", "size_m", "radius_m", "points_m", "obj_file", "mass_kg", "density_kg_per_m3", "static"},
+         keys_of<BodyDescription>()});
     return keys;
 }
 

@@ -1,23 +1,20 @@
-#include "demos/scenes/reading/polyhedra.h"
-
+// The polyhedra of a scene file: points, or the vertices of a Wavefront OBJ file.
 #include "demos/scenes/convex_hull.h"
-#include "demos/scenes/obj_file.h"
+#include "demos/scenes/reading/parts.h"
 #include "demos/text/errors.h"
+#include "demos/text/input.h"
+#include "demos/text/numbers.h"
 
 #include <fmt/format.h>
 
 #include <array>
+#include <sstream>
 
 namespace pushfactor::demos {
 
 namespace {
 
 using engine::Vector3;
-
-void to_body_frame(DistanceDescription::End& end, const Polyhedra& polyhedra) {
-    if (const FramedPolyhedron* const polyhedron = polyhedra.of(end.body))
-        end.point = polyhedron->to_body(end.point);
-}
 
 std::vector<Vector3> read_points(const JsonReader& json) {
     std::vector<Vector3> points;
@@ -28,6 +25,41 @@ std::vector<Vector3> read_points(const JsonReader& json) {
         if (!is_new) element.refuse(fmt::format("another point than number {}", at->second));
         points.push_back(point);
     }
+    return points;
+}
+
+Vector3 vertex_of(std::istringstream& words, const std::string& where) {
+    Vector3 point;
+    for (int axis = 0; axis < 3; ++axis) {
+        std::string word;
+        words >> word;
+        const auto number = parse_number(word);
+        if (!number) {
+            throw engine::InvalidInput(where, word.empty() ? "a vertex with too few words" : "\"" + word + "\"",
+                                       "a vertex of three numbers with decimal points");
+        }
+        point[axis] = *number;
+    }
+    // A weight or a colour may follow.
+    for (std::string word; words >> word;) {
+        if (!parse_number(word)) throw engine::InvalidInput(where, "\"" + word + "\"", "a number");
+    }
+    return point;
+}
+
+// All vertices [m]; faces, normals and materials are ignored.
+std::vector<Vector3> read_obj_points(const std::filesystem::path& file) {
+    std::istringstream lines(read_input(file, file.string()));
+    std::vector<Vector3> points;
+    int number = 1;
+    for (std::string line; std::getline(lines, line); ++number) {
+        std::istringstream words(line.substr(0, line.find('#')));
+        std::string keyword;
+        if (words >> keyword && keyword == "v") {
+            points.push_back(vertex_of(words, fmt::format("{}, line {}", file.string(), number)));
+        }
+    }
+    if (points.empty()) throw engine::InvalidInput("file", file.string(), "a Wavefront OBJ file with vertices");
     return points;
 }
 
@@ -60,37 +92,6 @@ FramedPolyhedron read_polyhedron(const JsonReader& body, Polyhedra& polyhedra) {
     } catch (const NoPolyhedron& found) {
         source.refuse(fmt::format("{}, and these are {}", found.allowed, found.found));
     }
-}
-
-DistanceDescription to_body_frames(DistanceDescription distance, const Polyhedra& polyhedra) {
-    to_body_frame(distance.a, polyhedra);
-    to_body_frame(distance.b, polyhedra);
-    return distance;
-}
-
-JointDescription to_body_frames(JointDescription joint, const Polyhedra& polyhedra) {
-    to_body_frame(joint.a, polyhedra);
-    to_body_frame(joint.b, polyhedra);
-    if (!joint.hinge) return joint;
-    if (const FramedPolyhedron* const a = polyhedra.of(joint.a.body)) {
-        joint.hinge->axis = a->axes.conjugate() * joint.hinge->axis;
-        if (joint.hinge->zero) joint.hinge->zero = a->axes.conjugate() * *joint.hinge->zero;
-    }
-    const FramedPolyhedron* const b = polyhedra.of(joint.b.body);
-    if (b && joint.hinge->zero) joint.hinge->zero = *joint.hinge->zero * b->axes;
-    return joint;
-}
-
-ForceDescription to_body_frame(ForceDescription force, bool has_point, const Polyhedra& polyhedra) {
-    const FramedPolyhedron* const polyhedron = polyhedra.of(force.body);
-    if (!polyhedron) return force;
-    // Without a point a force acts at the centre of mass.
-    if (has_point) force.point = polyhedron->to_body(force.point);
-    if (force.frame == engine::Poke::Frame::body) {
-        force.force = polyhedron->axes.conjugate() * force.force;
-        force.torque = polyhedron->axes.conjugate() * force.torque;
-    }
-    return force;
 }
 
 }  // namespace pushfactor::demos

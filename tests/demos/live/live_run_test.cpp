@@ -1,7 +1,6 @@
 // Runs that the page in a browser steps, tried without a browser.
 #include "demos/pictures/live/live_run.h"
 
-#include "demos/pictures/live/menu.h"
 #include "demos/scenes/catalogue.h"
 #include "demos/text/errors.h"
 #include "engine/bodies/diagnostics.h"

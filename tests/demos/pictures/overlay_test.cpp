@@ -5,7 +5,7 @@
 #include "demos/pictures/camera/survey.h"
 #include "demos/pictures/draw_list.h"
 #include "demos/pictures/lettering.h"
-#include "demos/pictures/overlays/thrust.h"
+#include "demos/pictures/overlays/acting.h"
 #include "demos/pictures/to_glm.h"
 #include "demos/runs/simulation.h"
 #include "demos/text/errors.h"

@@ -2,7 +2,7 @@
 #include "demos/runs/measurements.h"
 
 #include "demos/options/named_run.h"
-#include "demos/scenes/named/cube_tower.h"
+#include "demos/scenes/named/named_scenes.h"
 #include "demos/text/errors.h"
 #include "tests/catch.h"
 #include "tests/settings.h"

@@ -1,7 +1,6 @@
 // The channel between threads: order, bounds, and how it ends.
 #include "demos/platform/channel.h"
 
-#include "demos/platform/producer.h"
 #include "tests/catch.h"
 
 #include <atomic>

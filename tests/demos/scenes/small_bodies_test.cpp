@@ -1,6 +1,6 @@
 // Small bodies and long steps: what stands at 60 Hz stands at any size and step, because small bodies get more
 // small steps.
-#include "demos/scenes/named/cube_tower.h"
+#include "demos/scenes/named/named_scenes.h"
 #include "tests/catch.h"
 #include "tests/scene_fixture.h"
 #include "tests/settings.h"

@@ -1,6 +1,5 @@
 #include "tests/peers/problems/frozen_file.h"
 
-#include "demos/text/json_file.h"
 #include "demos/text/json_reader.h"
 
 #include <cmath>

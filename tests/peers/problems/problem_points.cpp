@@ -1,6 +1,6 @@
 #include "tests/peers/problems/problem_points.h"
 
-#include "demos/platform/cpu_clock.h"
+#include "demos/platform/processors.h"
 #include "demos/text/errors.h"
 #include "demos/text/median.h"
 #include "engine/solvers/solver.h"

@@ -1,5 +1,5 @@
 // The default camera of scene files.
-#include "demos/options/camera_choice.h"
+#include "demos/options/look_choices.h"
 #include "demos/pictures/camera/framing.h"
 #include "demos/pictures/camera/survey.h"
 #include "demos/runs/simulation.h"

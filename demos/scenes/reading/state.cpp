@@ -1,6 +1,5 @@
-#include "demos/scenes/state_file.h"
-
-#include "demos/scenes/vector_json.h"
+// The part of a scene file from which a saved run is resumed.
+#include "demos/scenes/reading/parts.h"
 
 #include <fmt/format.h>
 
@@ -21,16 +20,24 @@ using engine::Rest;
 using engine::Vector3;
 using engine::collision::Pair;
 
-using Keys = std::vector<std::string>;
-// warm_start, solved_exactly and kept_steps of files of earlier versions mean nothing any more.
-const Keys state_keys{
-    "time_s",           "warm_start",     "substeps", "force_rate_per_s", "distance_forces_n", "joint_forces_n",
-    "joint_angles_rad", "contact_forces", "places",   "at_rest",          "solved_exactly",    "kept_steps"};
+// Of earlier versions, which mean nothing any more.
 const Keys warm_start_keys{"bodies", "solved_exactly", "kept_steps", "exact_debt_multiply_adds", "exact_failures"};
-const Keys place_keys{
-    "body", "wide", "still_s", "here_s", "position_m", "orientation_wxyz", "angular_momentum_kg_m2_per_s"};
-const Keys contact_keys{"a", "b", "points"};
-const Keys point_keys{"feature", "position_m", "normal_n", "friction_first_n", "friction_last_n"};
+
+// A body that is still, or was. Without position and orientation it is where it was then.
+struct Place {
+    std::string body{};
+    bool wide = false;  // of earlier versions, not used
+    double still = 0.0;
+    std::optional<double> here{};
+    std::optional<Vector3> position{};
+    std::optional<engine::Quaternion> orientation{};
+    Vector3 spin = Vector3::Zero();
+};
+
+struct Contact {
+    std::string a{}, b{};
+    std::vector<ContactCache::Point> points{};
+};
 
 double whole_number(const JsonReader& json, double low, double high) {
     const double number = json.number(low, high);
@@ -100,16 +107,8 @@ bool is_any_known(const std::vector<double>& angles) {
     return std::ranges::any_of(angles, [](double angle) { return !std::isnan(angle); });
 }
 
-ContactCache::Point read_point(const JsonReader& json) {
-    json.require_object(point_keys);
-    ContactCache::Point point;
-    point.feature = static_cast<std::uint32_t>(
-        whole_number(json.at("feature"), 0.0, std::numeric_limits<std::uint32_t>::max()));
-    point.position = json.at("position_m").vector();
-    point.force.normal = read_lambda(json.at("normal_n"));
-    point.force.friction_first = json.at("friction_first_n").vector();
-    point.force.friction_last = json.at("friction_last_n").vector();
-    return point;
+std::uint32_t read_feature(const JsonReader& json) {
+    return static_cast<std::uint32_t>(whole_number(json, 0.0, std::numeric_limits<std::uint32_t>::max()));
 }
 
 // Bodies by their names.
@@ -147,26 +146,61 @@ void check_warm_start(const JsonReader& json, const SceneDescription& scene) {
     }
 }
 
-// A missing position or orientation is that of the body.
+}  // namespace
+
+void describe(Fields& fields, RunState& state) {
+    fields.may("time_s", state.time, between(0.0, 1e9));
+    fields.may("substeps", state.division.parts, between(0.0, 10000.0));
+    fields.may("force_rate_per_s", state.division.force_rate, between(0.0, 1e300),
+               state.division.force_rate < engine::infinity);
+}
+
+void describe(Fields& fields, Place& place) {
+    fields.must("body", place.body, &JsonReader::string);
+    fields.if_any("wide", place.wide, &JsonReader::boolean);
+    fields.may("still_s", place.still, between(0.0, 1e9));
+    fields.if_any("here_s", place.here, between(0.0, 1e9));
+    fields.if_any("position_m", place.position, &JsonReader::vector);
+    fields.if_any("orientation_wxyz", place.orientation, &JsonReader::rotation);
+    fields.if_any("angular_momentum_kg_m2_per_s", place.spin, &JsonReader::vector);
+}
+
+void describe(Fields& fields, ContactCache::Point& point) {
+    fields.must("feature", point.feature, read_feature);
+    fields.must("position_m", point.position, &JsonReader::vector);
+    fields.must("normal_n", point.force.normal, read_lambda);
+    fields.must("friction_first_n", point.force.friction_first, &JsonReader::vector);
+    fields.must("friction_last_n", point.force.friction_last, &JsonReader::vector);
+}
+
+void describe(Fields& fields, Contact& contact) {
+    fields.must("a", contact.a, &JsonReader::string);
+    fields.must("b", contact.b, &JsonReader::string);
+    fields.must("points", contact.points, read_list<ContactCache::Point>);
+}
+
+namespace {
+
+const Keys& all_state_keys() {
+    static const Keys keys = joined({keys_of<RunState>(),
+                                     {"warm_start", "distance_forces_n", "joint_forces_n", "joint_angles_rad",
+                                      "contact_forces", "places", "at_rest", "solved_exactly", "kept_steps"}});
+    return keys;
+}
+
 std::vector<Rest::Memory> read_places(const JsonReader& json, const SceneDescription& scene) {
     const BodyIndex indices(scene);
     std::vector<Rest::Memory> memory(scene.bodies.size());
     for (const JsonReader& entry : json.elements()) {
-        entry.require_object(place_keys);
+        const auto place = read_object<Place>(entry);
         const auto index = static_cast<std::size_t>(indices.of(entry.at("body")));
-        const BodyDescription& body = scene.bodies[index];
-        const bool wide = entry.has("wide") && entry.at("wide").boolean();  // of earlier versions, not used
-        Rest::Memory unused;
-        Rest::Memory& stay = wide ? unused : memory[index];
-        stay.position = body.position;
-        stay.orientation = body.orientation;
-        if (entry.has("still_s")) stay.still = entry.at("still_s").number(0.0, 1e9);
-        stay.here = entry.has("here_s") ? entry.at("here_s").number(0.0, 1e9) : stay.still;
-        if (entry.has("position_m")) stay.position = entry.at("position_m").vector();
-        if (entry.has("orientation_wxyz")) stay.orientation = entry.at("orientation_wxyz").rotation();
-        if (entry.has("angular_momentum_kg_m2_per_s")) {
-            stay.spin = entry.at("angular_momentum_kg_m2_per_s").vector();
-        }
+        if (place.wide) continue;
+        Rest::Memory& stay = memory[index];
+        stay.position = place.position.value_or(scene.bodies[index].position);
+        stay.orientation = place.orientation.value_or(scene.bodies[index].orientation);
+        stay.still = place.still;
+        stay.here = place.here.value_or(place.still);
+        stay.spin = place.spin;
     }
     return memory;
 }
@@ -199,45 +233,26 @@ ContactCache read_contact_forces(const JsonReader& json, const SceneDescription&
     const BodyIndex indices(scene);
     ContactCache cache;
     for (const JsonReader& entry : json.elements()) {
-        entry.require_object(contact_keys);
+        const auto contact = read_object<Contact>(entry);
         const Pair pair{indices.of(entry.at("a")), indices.of(entry.at("b"))};
         if (pair.a >= pair.b) entry.at("b").refuse("a body that is listed after a");
         if (!cache.entries().empty() && !(cache.entries().back().pair < pair)) {
             entry.refuse("a pair that comes after the one before, in the order of the bodies");
         }
-        std::vector<ContactCache::Point> points;
-        for (const JsonReader& point : entry.at("points").elements()) points.push_back(read_point(point));
-        cache.add(pair, points);
+        cache.add(pair, contact.points);
     }
     return cache;
 }
 
-using demos::to_json;  // of a vector
-
-Json to_json(const Lambda& lambda) {
-    return Json::array({lambda.first, lambda.last});
-}
-
-Json to_json(const DistanceForce& force, bool joint) {
+Json force_json(const DistanceForce& force, bool joint) {
     if (!joint) return to_json(force[0]);
     return Json::array({to_json(force[0]), to_json(force[1]), to_json(force[2])});
 }
 
-Json to_json(const ContactCache::Point& point) {
-    return {{"feature", point.feature},
-            {"position_m", to_json(point.position)},
-            {"normal_n", to_json(point.force.normal)},
-            {"friction_first_n", to_json(point.force.friction_first)},
-            {"friction_last_n", to_json(point.force.friction_last)}};
-}
-
-Json to_json(const ContactCache::Entry& entry, const ContactCache& cache, const SceneDescription& scene) {
+Json contact_json(const ContactCache::Entry& entry, const ContactCache& cache, const SceneDescription& scene) {
     const auto name = [&](int index) { return scene.bodies[static_cast<std::size_t>(index)].name; };
-    Json json{{"a", name(entry.pair.a)}, {"b", name(entry.pair.b)}, {"points", Json::array()}};
-    for (const auto& point : cache.points().subspan(entry.first, static_cast<std::size_t>(entry.count))) {
-        json["points"].push_back(to_json(point));
-    }
-    return json;
+    const auto points = cache.points().subspan(entry.first, static_cast<std::size_t>(entry.count));
+    return to_json(Contact{name(entry.pair.a), name(entry.pair.b), {points.begin(), points.end()}});
 }
 
 Json places_json(const RunState& state, const SceneDescription& scene) {
@@ -246,17 +261,17 @@ Json places_json(const RunState& state, const SceneDescription& scene) {
         const BodyDescription& body = scene.bodies[i];
         if (!body.mass) continue;
         const Rest::Memory& stay = state.rest[i];
-        const engine::Quaternion& q = stay.orientation;
+        const auto differs = [](const engine::Quaternion& a, const engine::Quaternion& b) {
+            return a.coeffs() != b.coeffs();
+        };
         const bool is_noted = stay.still > 0.0 || !stay.position.isZero(0.0) || !stay.spin.isZero(0.0) ||
-                              q.coeffs() != engine::Quaternion::Identity().coeffs();
+                              differs(stay.orientation, engine::Quaternion::Identity());
         if (!is_noted) continue;  // not yet
-        Json& place = json.emplace_back(Json{{"body", body.name}, {"still_s", stay.still}});
-        if (stay.here != stay.still) place["here_s"] = stay.here;
-        if (stay.position != body.position) place["position_m"] = to_json(stay.position);
-        if (q.coeffs() != body.orientation.coeffs()) {
-            place["orientation_wxyz"] = Json::array({q.w(), q.x(), q.y(), q.z()});
-        }
-        if (!stay.spin.isZero(0.0)) place["angular_momentum_kg_m2_per_s"] = to_json(stay.spin);
+        Place place{.body = body.name, .still = stay.still, .spin = stay.spin};
+        if (stay.here != stay.still) place.here = stay.here;
+        if (stay.position != body.position) place.position = stay.position;
+        if (differs(stay.orientation, body.orientation)) place.orientation = stay.orientation;
+        json.push_back(to_json(place));
     }
     return json;
 }
@@ -273,23 +288,18 @@ Json at_rest_json(const RunState& state, const SceneDescription& scene) {
 
 }  // namespace
 
-const std::map<std::string, std::vector<std::string>>& state_file_keys() {
-    static const std::map<std::string, std::vector<std::string>> keys{{"state", state_keys},
-                                                                      {"warm_start", warm_start_keys},
-                                                                      {"place", place_keys},
-                                                                      {"contact_force", contact_keys},
-                                                                      {"contact_force_point", point_keys}};
-    return keys;
+KeysByObject state_keys() {
+    return {{"state", all_state_keys()},
+            {"warm_start", warm_start_keys},
+            {"place", keys_of<Place>()},
+            {"contact_force", keys_of<Contact>()},
+            {"contact_force_point", keys_of<ContactCache::Point>()}};
 }
 
 RunState read_state(const JsonReader& json, const SceneDescription& scene) {
-    json.require_object(state_keys);
-    RunState state;
-    if (json.has("time_s")) state.time = json.at("time_s").number(0.0, 1e9);
+    auto state = read_object<RunState>(json, all_state_keys());
     check_memory(json);
     if (json.has("warm_start")) check_warm_start(json.at("warm_start"), scene);
-    if (json.has("substeps")) state.division.parts = json.at("substeps").number(0.0, 10000.0);
-    if (json.has("force_rate_per_s")) state.division.force_rate = json.at("force_rate_per_s").number(0.0, 1e300);
     state.distance_forces.resize(scene.distances.size());
     if (json.has("distance_forces_n")) {
         state.distance_forces = read_distance_forces(json.at("distance_forces_n"), scene);
@@ -310,11 +320,10 @@ RunState read_state(const JsonReader& json, const SceneDescription& scene) {
 }
 
 Json state_json(const RunState& state, const SceneDescription& scene) {
-    Json json{{"time_s", state.time}, {"substeps", state.division.parts}};
-    if (state.division.force_rate < engine::infinity) json["force_rate_per_s"] = state.division.force_rate;
+    Json json = to_json(state);
     for (std::size_t i = 0; i < state.distance_forces.size(); ++i) {
         const bool joint = scene.distances[i].length == 0.0;
-        json["distance_forces_n"].push_back(to_json(state.distance_forces[i], joint));
+        json["distance_forces_n"].push_back(force_json(state.distance_forces[i], joint));
     }
     for (std::size_t i = 0; i < state.joint_forces.size(); ++i) {
         Json& rows = json["joint_forces_n"].emplace_back(Json::array());
@@ -323,7 +332,7 @@ Json state_json(const RunState& state, const SceneDescription& scene) {
     }
     if (is_any_known(state.joint_angles)) json["joint_angles_rad"] = angles_json(state.joint_angles);
     for (const ContactCache::Entry& entry : state.contact_forces.entries()) {
-        json["contact_forces"].push_back(to_json(entry, state.contact_forces, scene));
+        json["contact_forces"].push_back(contact_json(entry, state.contact_forces, scene));
     }
     if (Json places = places_json(state, scene); !places.empty()) json["places"] = places;
     if (Json at_rest = at_rest_json(state, scene); !at_rest.empty()) json["at_rest"] = at_rest;

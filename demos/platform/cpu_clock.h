@@ -1,9 +1,0 @@
-// CPU clock of a thread.
-#pragma once
-
-namespace pushfactor::demos {
-
-// CPU time of this thread in us.
-double thread_cpu_us();
-
-}  // namespace pushfactor::demos
