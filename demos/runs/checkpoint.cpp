@@ -2,10 +2,10 @@
 
 namespace pushfactor::demos {
 
-void take_checkpoint(const BuiltScene& scene, const DivisionMemory& division, Checkpoint& into) {
+void take_checkpoint(const BuiltScene& scene, double parts, Checkpoint& into) {
     into.bodies = scene.world.bodies;
     into.state.time = scene.world.time();
-    into.state.division = division;
+    into.state.parts = parts;
     if (scene.distances) into.state.distance_forces = scene.distances->forces();
     if (scene.joints) {
         into.state.joint_forces = scene.joints->forces();

@@ -12,7 +12,7 @@ struct Checkpoint {
 };
 
 // Overwrites `into`, reusing its memory. `division` is StepDivision::memory().
-void take_checkpoint(const BuiltScene& scene, const DivisionMemory& division, Checkpoint& into);
+void take_checkpoint(const BuiltScene& scene, double parts, Checkpoint& into);
 
 // The description that resumes `scene` from the checkpoint, bit-identical to an uninterrupted run. `description` is
 // what `scene` was built from, with every option spelled out.

@@ -29,7 +29,7 @@ struct BuiltScene {
     std::vector<const engine::PokeForce*> pokes;             // part of the world: forces on single bodies
     std::vector<engine::collision::Pair> no_contacts;  // bodies that do not touch, beside those of groups (a < b)
 
-    std::optional<DivisionMemory> division_before{};  // of a resumed run
+    std::optional<double> parts_before{};  // of a resumed run
 
     std::vector<BodyDescription> bodies;  // as described, in the order of the world's first bodies
     View view;

@@ -30,9 +30,9 @@ bool wants_kick(const BuiltScene& scene, const Settings& settings) {
     // A motor may give its speed in the first step.
     const auto is_driven = [](const engine::Joint& joint) { return joint.hinge && joint.hinge->motor; };
     if (scene.joints && std::ranges::any_of(scene.joints->joints(), is_driven)) return false;
-    // What is taken at the start from a force that ends is given back by nothing.
-    const auto ends = [](const engine::PokeForce* force) {
-        return force->acts_at(0.0) && force->poke().until < engine::infinity;
+    // What is taken from a force of the first step that ends is given back by nothing.
+    const auto ends = [&](const engine::PokeForce* force) {
+        return force->poke().from < settings.dt.value() && force->poke().until < engine::infinity;
     };
     if (std::ranges::any_of(scene.pokes, ends)) return false;
     const bool at_rest = std::all_of(scene.world.bodies.begin(), scene.world.bodies.end(), [](const auto& body) {
@@ -43,7 +43,7 @@ bool wants_kick(const BuiltScene& scene, const Settings& settings) {
 
 StepDivision division_of(const BuiltScene& scene, const Settings& settings) {
     if (settings.substeps) return StepDivision(*settings.substeps);
-    return StepDivision(step_rules(scene), scene.division_before.value_or(DivisionMemory{}));
+    return StepDivision(step_rules(scene), scene.parts_before.value_or(0.0));
 }
 
 // Index of the body with the largest number in its state; the first of several.
@@ -86,9 +86,9 @@ Simulation::Simulation(const Choices& choices, Clock clock)
 
 void Simulation::start() {
     const double dt = settings_.dt.value();
-    if (scene_.division_before && !is_rattle(settings_.scheme)) lag_ = dt / division_.parts();
+    if (scene_.parts_before && !is_rattle(settings_.scheme)) lag_ = dt / division_.parts();
     // The rules need the forces of a first solve.
-    if (division_.has_rules() && !scene_.division_before) scene_.world.prepare(dt);
+    if (division_.has_rules() && !scene_.parts_before) scene_.world.prepare(dt);
     if (!wants_kick(scene_, settings_)) return;
     StepDivision first = division_;
     scene_.world.kick_back_half(dt / first.divide(scene_.world, dt));
@@ -100,7 +100,7 @@ const Sample& Simulation::advance() {
     sample_.step = step;
     sample_.time = (settings_.dt * Rational{step, 1}).value();
     if (clock_) sample_.cpu_us = 0.0;
-    take_checkpoint(scene_, division_.memory(), before_);
+    take_checkpoint(scene_, division_.level(), before_);
     divide_step();
     measure_state();
     require_finite_sample();
@@ -192,7 +192,7 @@ void Simulation::measure_state() {
 
 Checkpoint Simulation::checkpoint() const {
     Checkpoint now;
-    take_checkpoint(scene_, division_.memory(), now);
+    take_checkpoint(scene_, division_.level(), now);
     return now;
 }
 

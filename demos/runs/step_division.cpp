@@ -36,29 +36,25 @@ std::vector<StepRule> step_rules(const BuiltScene& scene) {
 }
 
 int StepDivision::parts() const {
-    return std::max(whole(memory_.parts), 1);
+    return std::max(whole(level_), 1);
 }
 
 int StepDivision::divide(const engine::World& world, double dt) {
     short_ = false;
     if (rules_.empty()) return this->parts();
-    double wanted = 1.0, by_forces = 0.0;
+    double wanted = 1.0;
     std::string_view rule;
     for (const StepRule& asked : rules_) {
-        const double rate = asked.rate(world);
-        if (asked.by_forces) by_forces = std::max(by_forces, rate);
-        const double parts = dt * (asked.by_forces ? std::min(rate, memory_.force_rate) : rate);
+        const double parts = dt * asked.rate(world);
         if (!(parts > wanted)) continue;
         wanted = parts;
         rule = asked.name;
     }
-    memory_.force_rate = by_forces;
     short_ = wanted > most_parts;
     wanted = std::min(wanted, double{most_parts});
-    double& level = memory_.parts;
-    if (wanted >= most_fall * level) rule_ = rule;
-    level = std::max(wanted, most_fall * level);
-    const int parts = whole(level);
+    if (wanted >= most_fall * level_) rule_ = rule;
+    level_ = std::max(wanted, most_fall * level_);
+    const int parts = whole(level_);
     if (parts == 1) rule_ = {};
     return parts;
 }
@@ -71,7 +67,7 @@ int StepDivision::refine(const engine::World& world, double dt, int parts) {
             break;
         }
         rule_ = asked.name;
-        memory_.parts = 2.0 * parts;
+        level_ = 2.0 * parts;
         return 2;
     }
     return 1;

@@ -16,8 +16,7 @@ struct StepRule {
 
     // Whether the rate depends on forces. Such a rule may not divide the rest of a step: its forces include the
     // correction of the last part, which is larger for shorter parts, so that dividing would require dividing
-    // again. And only what two steps in a row ask for counts: the force of an impact grows as its step gets
-    // shorter.
+    // again. The force of an impact grows so, too; but the rate with its root only, so that it does not run away.
     bool by_forces = false;
 };
 
@@ -30,13 +29,13 @@ class StepDivision {
     static constexpr int most_parts = 1000;
 
     // Always `parts`, 1 or more.
-    explicit StepDivision(int parts) : memory_{.parts = 1.0 * parts} {}
+    explicit StepDivision(int parts) : level_(parts) {}
 
     // As many parts as the rules require, at least 1. From step to step the number falls by no more than a
     // sixteenth: every change of step length leaves an error of second order.
-    // `before`: memory() of the previous step for a resumed run.
-    explicit StepDivision(std::vector<StepRule> rules, const DivisionMemory& before = {})
-        : rules_(std::move(rules)), memory_(before) {}
+    // `before`: level() of the previous step for a resumed run, else 0.
+    explicit StepDivision(std::vector<StepRule> rules, double before = 0.0)
+        : rules_(std::move(rules)), level_(before) {}
 
     // Number of parts of the last step; 1 before the first.
     int parts() const;
@@ -48,13 +47,13 @@ class StepDivision {
     int refine(const engine::World& world, double dt, int parts);
 
     bool has_rules() const { return !rules_.empty(); }
-    const DivisionMemory& memory() const { return memory_; }  // after the last step, at its finest
-    std::string_view rule() const { return rule_; }           // that required them; empty if none did
-    bool is_short() const { return short_; }                  // whether it required more than most_parts
+    double level() const { return level_; }          // parts of the last step at its finest, before rounding up
+    std::string_view rule() const { return rule_; }  // that required them; empty if none did
+    bool is_short() const { return short_; }         // whether it required more than most_parts
 
   private:
     std::vector<StepRule> rules_;
-    DivisionMemory memory_;
+    double level_ = 0.0;
     std::string_view rule_;
     bool short_ = false;
 };

@@ -10,15 +10,9 @@
 
 namespace pushfactor::demos {
 
-// What the division of a step into engine steps depends on besides the state of the bodies.
-struct DivisionMemory {
-    double parts = 0.0;                    // of the step before, before rounding up; 0: none
-    double force_rate = engine::infinity;  // 1/s, that the forces of the step before asked for
-};
-
 struct RunState {
-    double time = 0.0;  // s, of the world; forces may depend on it
-    DivisionMemory division{.parts = 1.0};
+    double time = 0.0;   // s, of the world; forces may depend on it
+    double parts = 1.0;  // of the last step, into engine steps, before rounding up; 0: none
     std::vector<engine::DistanceForce> distance_forces{};  // N, one per distance
     std::vector<engine::JointForce> joint_forces{};        // N, one per joint
     std::vector<double> joint_angles{};                    // rad, one per joint, or none; NaN where it is not known

@@ -107,16 +107,16 @@ inline constexpr int steps_of_moving = 8, steps_of_carrying = 16;
 // radius of gyration; up to a limit.
 inline constexpr double compressed = 0.01, most_steps = 1000.0;
 // What a direct solution is worth where an island stands, in sweeps over the rows: those of twice as many small
-// steps, of two solves each, times the ratio of its masses, because sweeps need so many more. With 24 instead of 4
-// thin plates would come to rest, but a grid of pendulums would take four times as long. Where it has no forces yet
-// or nearly the right ones, the solution lasts, and is worth what a wall of 200 bricks takes.
+// steps, of two solves each, times the ratio of its masses, because sweeps need so many more. Where it has no
+// forces yet or nearly the right ones, the solution lasts, and is worth what a wall of 200 bricks takes.
 inline constexpr double sweeps_of_a_step = 4.0, sweeps_that_last = 1500.0;
 // Limit on its multiply-adds for so many bodies or fewer, in proportion for more: the first step of a wall of 400
 // bricks takes some 0.15 s, none after it more than some 30 ms. With a tenth, a heavy ball shakes the cubes on
 // which it has fallen until they are scattered. Had the limit no proportion, towers of 800 planks would sag by 3
 // cm; with two fifths, a pyramid of 3240 cubes by 2.5 cm in 1000 steps.
 inline constexpr double most_work = 2e8, bodies_of_limits = 200.0;
-// Bodies of a stack of five and one more: so few that stand are worth what so many are.
+// Bodies of a stack of five and one more: so few that stand are worth what so many are, and so is any island whose
+// masses are so unequal that load does not pass in small steps: a tower of twenty cubes on which a heavy one falls.
 inline constexpr int few = 6;
 // What it is always worth per body: of these; of islands that take no small steps; of joints, which forces far from
 // the solution pull apart; of bars alone. And of bars with contacts. With half of it stacks of five cubes that are

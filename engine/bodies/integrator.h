@@ -40,8 +40,9 @@ Quaternion rotate_exponential(const Body& body, const Vector3& angular_momentum,
 // with two equal moments (spheres and cubes among them) use the closed form: precession about l times spin.
 Quaternion rotate_splitting(const Body& body, const Vector3& angular_momentum, double dt);
 
-// rotate_splitting in sub-steps of small angle, for bodies that bounce: their energy would otherwise err at
-// random from bounce to bounce. Not smooth in dt, so not suitable for composing higher-order schemes.
+// rotate_splitting in sub-steps of small angle: at a radian per step it would give a free box energy, and a body
+// that bounces at random from bounce to bounce. Not smooth in dt, so not suitable for composing higher-order
+// schemes.
 Quaternion rotate_by_small_turns(const Body& body, const Vector3& angular_momentum, double dt);
 
 }  // namespace pushfactor::engine

@@ -92,7 +92,7 @@ Worth worth_of(double dt, std::span<const Body> bodies, const Island& island, st
     const bool needs_it = !divided || island.has(RowDigest::joins) || !limited;
     const double of_body = needs_it ? of_a_body : island.has(RowDigest::acts_both_ways) ? of_a_body_on_bars : 0.0;
     const bool passes = ratio <= 2.0 * steps;  // load, in the solves of so many small steps
-    const double of_few = (standing || !passes) && island.movable() <= few ? few * of_a_body : 0.0;
+    const double of_few = !passes || (standing && island.movable() <= few) ? few * of_a_body : 0.0;
     const double least = std::max(of_few, of_body * island.movable());
     const double multiply_adds = std::max(std::min(of_sweeps, most), least);
     return {.multiply_adds = multiply_adds,

@@ -164,14 +164,20 @@ double PartSweeps::sweep_some(solvers::UnitRows& rows, std::span<FourContacts> s
     return largest_change(some);
 }
 
-double PartSweeps::sweep(solvers::UnitRows& rows) {
+double PartSweeps::sweep_turn(solvers::UnitRows& rows, int turn) {
+    if (turn < 0) return sweep_some(rows, std::span<FourContacts>(&fours_[index(-1 - turn)], 1));
+    return sweep_some(rows, std::span<const Block>(&blocks_[index(turn)], 1));
+}
+
+double PartSweeps::sweep(solvers::UnitRows& rows, bool backwards) {
     double largest = 0.0;
-    in_turn([&](const auto& some) { largest = std::max(largest, sweep_some(rows, some)); });
+    for (std::size_t i = 0; i < turns_.size(); ++i)
+        largest = std::max(largest, sweep_turn(rows, turn_at(i, backwards)));
     return largest;
 }
 
-double PartSweeps::sweep_restless(solvers::UnitRows& rows, double least, int number, bool all, Stirred stirred,
-                                  double& updates) {
+double PartSweeps::sweep_restless(solvers::UnitRows& rows, bool backwards, double least, int number, bool all,
+                                  Stirred stirred, double& updates) {
     const auto is_restless = [&](int body) {
         return index(body) < stirred.size() && stirred[index(body)] >= number - 1;
     };
@@ -182,11 +188,12 @@ double PartSweeps::sweep_restless(solvers::UnitRows& rows, double least, int num
         }
     };
     double largest = 0.0;
-    for (const int turn : turns_) {
+    for (std::size_t i = 0; i < turns_.size(); ++i) {
+        const int turn = turn_at(i, backwards);
         if (turn >= 0) {
             const Block& block = blocks_[index(turn)];
             if (!all && !is_restless(block.a) && !is_restless(block.b)) continue;
-            const double change = sweep_some(rows, std::span<const Block>(&block, 1));
+            const double change = sweep_turn(rows, turn);
             largest = std::max(largest, change);
             updates += block.count;
             stir(change, block.a, block.b);
@@ -201,7 +208,7 @@ double PartSweeps::sweep_restless(solvers::UnitRows& rows, double least, int num
             acting += acts ? 1 : 0;
         }
         if (acting == 0) continue;
-        largest = std::max(largest, sweep_some(rows, std::span<FourContacts>(&four, 1)));
+        largest = std::max(largest, sweep_turn(rows, turn));
         updates += FourContacts::rows * acting;
         for (std::size_t k = 0; k < FourContacts::count; ++k) stir(four.change[k], four.a[k], four.b[k]);
     }

@@ -34,12 +34,13 @@ class PartSweeps {
     // velocities. `scratch`: by movable body.
     void load(const Start& start, solvers::UnitRows& rows, std::span<int> scratch);
 
-    // One sweep; returns the largest change of a row's velocity [m/s].
-    double sweep(solvers::UnitRows& rows);
+    // One sweep, from the last block to the first if `backwards`; returns the largest change of a row's velocity
+    // [m/s].
+    double sweep(solvers::UnitRows& rows, bool backwards = false);
     // Of the blocks of bodies that were stirred in sweep `number` or the one before, or of all; bodies of which a
     // row changes by more than `least` [m/s] are stirred. Adds the rows that it sweeps to `updates`.
-    double sweep_restless(solvers::UnitRows& rows, double least, int number, bool all, Stirred stirred,
-                          double& updates);
+    double sweep_restless(solvers::UnitRows& rows, bool backwards, double least, int number, bool all,
+                          Stirred stirred, double& updates);
 
     // Natural-map residual of all its rows [m/s].
     double residual(solvers::UnitRows& rows);
@@ -75,6 +76,8 @@ class PartSweeps {
     void find_groups(const Start& start, std::span<int> scratch);
     static void put_in_four(const Start& start, const Group& group, int movable, FourContacts& four);
     void load_blocks(const Start& start, solvers::UnitRows& rows) const;
+    int turn_at(std::size_t i, bool backwards) const { return turns_[backwards ? turns_.size() - 1 - i : i]; }
+    double sweep_turn(solvers::UnitRows& rows, int turn);
     static double sweep_some(solvers::UnitRows& rows, std::span<const Block> some);
     static double sweep_some(solvers::UnitRows& rows, std::span<FourContacts> some);
 

@@ -288,9 +288,9 @@ void SmallSteps::solve(const Step& step, Solve which, double elapsed, Team& team
     for (int k = 0; k < whole || (largest > restless && k < most_sweeps); ++k) {
         dissection_.by_rounds(team, [&](const Part& part) {
             PartState& state = state_of(part);
-            state.change =
-                k < whole ? state.sweeps.sweep(rows_)
-                          : state.sweeps.sweep_restless(rows_, restless, k, k == whole, stirred_, state.updates);
+            state.change = k < whole ? state.sweeps.sweep(rows_, !pushes)
+                                     : state.sweeps.sweep_restless(rows_, !pushes, restless, k, k == whole,
+                                                                   stirred_, state.updates);
         });
         largest = 0.0;
         for (const PartState& state : states_) largest = std::max(largest, state.change);

@@ -127,9 +127,8 @@ void PhaseClock::end(std::size_t stage) {
 Walk::Walk(const MeasuredState& moment)
     : scene_(moment.build()),
       dt_(moment.settings.dt.value()),
-      division_(moment.settings.substeps
-                    ? StepDivision(*moment.settings.substeps)
-                    : StepDivision(step_rules(scene_), scene_.division_before.value_or(DivisionMemory{}))) {
+      division_(moment.settings.substeps ? StepDivision(*moment.settings.substeps)
+                                         : StepDivision(step_rules(scene_), scene_.parts_before.value_or(0.0))) {
     go(steps_before);
 }
 

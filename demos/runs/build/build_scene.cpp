@@ -109,9 +109,9 @@ void add_forces(BuiltScene& scene, const SceneDescription& description) {
     }
 }
 
-// Bodies with contacts rotate by small turns, without them by splitting, which then keeps its order.
-engine::OrientationStep orientation_step(Rotation rotation, bool contacts) {
-    switch (rotation) {
+// RATTLE composes steps, which small turns are not smooth enough for.
+engine::OrientationStep orientation_step(const Settings& settings) {
+    switch (settings.rotation) {
         case Rotation::paper:
             return engine::rotate_euler;
         case Rotation::exponential:
@@ -119,7 +119,7 @@ engine::OrientationStep orientation_step(Rotation rotation, bool contacts) {
         case Rotation::splitting:
             break;
     }
-    return contacts ? engine::rotate_by_small_turns : engine::rotate_splitting;
+    return is_rattle(settings.scheme) ? engine::rotate_splitting : engine::rotate_by_small_turns;
 }
 
 void add_solver(BuiltScene& scene, const Settings& settings) {
@@ -188,7 +188,7 @@ void require_finite(const BuiltScene& scene) {
 
 void resume(BuiltScene& scene, const RunState& state) {
     scene.world.resume(state.time);
-    scene.division_before = state.division;
+    scene.parts_before = state.parts;
 }
 
 }  // namespace
@@ -216,7 +216,7 @@ BuiltScene build_scene(const SceneDescription& description, const Settings& sett
     add_joints(scene, description, settings, world);
     add_contacts(scene, description, settings);
     add_solver(scene, settings);
-    scene.world.rotate = orientation_step(settings.rotation, description.contacts);
+    scene.world.rotate = orientation_step(settings);
     set_scheme(scene, description, settings);
     set_rest(scene, description, settings);
     set_threads(scene, settings);

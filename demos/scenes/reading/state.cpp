@@ -135,6 +135,7 @@ void check_memory(const JsonReader& json) {
     if (json.has("kept_steps")) whole_number(json.at("kept_steps"), 0.0, 1e9);
     if (json.has("exact_debt_multiply_adds")) json.at("exact_debt_multiply_adds").number(0.0, 1e15);
     if (json.has("exact_failures")) json.at("exact_failures").number(0.0, 1e3);
+    if (json.has("force_rate_per_s")) json.at("force_rate_per_s").number(0.0, 1e300);
 }
 
 void check_warm_start(const JsonReader& json, const SceneDescription& scene) {
@@ -150,9 +151,7 @@ void check_warm_start(const JsonReader& json, const SceneDescription& scene) {
 
 void describe(Fields& fields, RunState& state) {
     fields.may("time_s", state.time, between(0.0, 1e9));
-    fields.may("substeps", state.division.parts, between(0.0, 10000.0));
-    fields.may("force_rate_per_s", state.division.force_rate, between(0.0, 1e300),
-               state.division.force_rate < engine::infinity);
+    fields.may("substeps", state.parts, between(0.0, 10000.0));
 }
 
 void describe(Fields& fields, Place& place) {
@@ -182,9 +181,10 @@ void describe(Fields& fields, Contact& contact) {
 namespace {
 
 const Keys& all_state_keys() {
-    static const Keys keys = joined({keys_of<RunState>(),
-                                     {"warm_start", "distance_forces_n", "joint_forces_n", "joint_angles_rad",
-                                      "contact_forces", "places", "at_rest", "solved_exactly", "kept_steps"}});
+    static const Keys keys =
+        joined({keys_of<RunState>(),
+                {"warm_start", "distance_forces_n", "joint_forces_n", "joint_angles_rad", "contact_forces",
+                 "places", "at_rest", "solved_exactly", "kept_steps", "force_rate_per_s"}});
     return keys;
 }
 

@@ -6,6 +6,8 @@
 #include "tests/catch.h"
 #include "tests/engine/random_contacts.h"
 
+#include <algorithm>
+
 using namespace pushfactor::engine;
 using namespace pushfactor::tests;
 using solvers::UnitRows;
@@ -21,14 +23,19 @@ struct OneByOne {
     double sweep(const UnitRows::Block& block) {
         return solvers::sweep<true>(rows, {&block, 1}, [&](const UnitRows::Block& b) { return rows.at_bodies(b); });
     }
-    double sweep() {
+    std::vector<UnitRows::Block> in_order(bool backwards) const {
+        std::vector<UnitRows::Block> blocks = rows.blocks;
+        if (backwards) std::reverse(blocks.begin(), blocks.end());
+        return blocks;
+    }
+    double sweep(bool backwards) {
         double largest = 0.0;
-        for (const UnitRows::Block& block : rows.blocks) largest = std::max(largest, sweep(block));
+        for (const UnitRows::Block& block : in_order(backwards)) largest = std::max(largest, sweep(block));
         return largest;
     }
-    double sweep_restless(double least, int number, bool all) {
+    double sweep_restless(bool backwards, double least, int number, bool all) {
         double largest = 0.0;
-        for (const UnitRows::Block& block : rows.blocks) {
+        for (const UnitRows::Block& block : in_order(backwards)) {
             const auto last = [&](int body) {
                 return body < rows.movable ? stirred[static_cast<std::size_t>(body)] : PartSweeps::never;
             };
@@ -122,7 +129,7 @@ void plan_apart(PartSweeps& sweeps, UnitRows& actual, UnitRows& expected, Random
 
 }  // namespace
 
-TEST_CASE("contacts swept four at a time move as one after the other, to the last bit") {
+TEST_CASE("contacts swept four at a time in either direction move as one after the other, to the last bit") {
     std::size_t packed = 0, single = 0, calm = 0;
     for (std::uint64_t seed = 1; seed <= 60; ++seed) {
         const Frozen frozen = random_contacts(seed, RandomFriction::cone, 1.0);
@@ -149,14 +156,15 @@ TEST_CASE("contacts swept four at a time move as one after the other, to the las
 
             double largest = 0.0;
             for (int k = 0; k < 3; ++k) {
-                largest = one.sweep();
-                REQUIRE(sweeps.sweep(actual) == largest);
+                largest = one.sweep(k == 1);
+                REQUIRE(sweeps.sweep(actual, k == 1) == largest);
             }
             double updates = 0.0;
             for (int k = 3; k < 20; ++k) {
                 const double least = 0.05 * largest;
-                const double change = one.sweep_restless(least, k, k == 3);
-                REQUIRE(sweeps.sweep_restless(actual, least, k, k == 3, stirred, updates) == change);
+                const bool backwards = k % 3 == 0;
+                const double change = one.sweep_restless(backwards, least, k, k == 3);
+                REQUIRE(sweeps.sweep_restless(actual, backwards, least, k, k == 3, stirred, updates) == change);
                 REQUIRE(stirred == one.stirred);
             }
             calm += updates < 17.0 * island.rows ? 1 : 0;
