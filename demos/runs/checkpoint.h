@@ -11,7 +11,7 @@ struct Checkpoint {
     RunState state;
 };
 
-// Overwrites `into`, reusing its memory. `division` is StepDivision::memory().
+// Overwrites `into`, reusing its memory. `parts`: StepDivision::level().
 void take_checkpoint(const BuiltScene& scene, double parts, Checkpoint& into);
 
 // The description that resumes `scene` from the checkpoint, bit-identical to an uninterrupted run. `description` is

@@ -16,7 +16,8 @@ struct StepRule {
 
     // Whether the rate depends on forces. Such a rule may not divide the rest of a step: its forces include the
     // correction of the last part, which is larger for shorter parts, so that dividing would require dividing
-    // again. The force of an impact grows so, too; but the rate with its root only, so that it does not run away.
+    // again. The force of an impact grows as 1 / dt and the rate with its root, which ends; only where contacts and
+    // joints contradict each other does it grow with the number of parts (LIMITS).
     bool by_forces = false;
 };
 
