@@ -19,8 +19,8 @@ double path_of(const Shape& shape, double speed, double rate, double dt) {
     return dt * (speed + rate * std::sqrt(squared_turning_radius(shape)));
 }
 
-// Whether the body moves fast and otherwise than its rows know: because the constraint force moves it by more than
-// its margin, or because it turns by as much, in which no row follows it.
+// Whether the body moves otherwise than its rows know: because the constraint force moves it by more than its
+// margin, as where it stops it before one that follows it, or because it turns by as much, in which no row follows.
 bool is_thrown(const Collider& collider, const Body& body, const Vector6& force, const StepScene& scene) {
     const double dt = scene.motions->dt;
     const double limit = size_of(collider.shape) * scene.detection.margin;
@@ -28,10 +28,7 @@ bool is_thrown(const Collider& collider, const Body& body, const Vector6& force,
     const double rate = dt * body.inverse_inertia.maxCoeff() * force.tail<3>().norm();
     const Motion& motion = scene.motions->path_of(collider.body);
     const double turning = turns_in_itself(collider.shape) ? 0.0 : motion.angular_velocity.norm();
-    if (path_of(collider.shape, speed, rate, dt) <= limit && path_of(collider.shape, 0.0, turning, dt) <= limit) {
-        return false;
-    }
-    return path_of(collider.shape, motion.velocity.norm(), turning, dt) > limit;
+    return path_of(collider.shape, speed, rate, dt) > limit || path_of(collider.shape, 0.0, turning, dt) > limit;
 }
 
 // How deep the points of a touch that has no rows take the bodies into each other by the end of the step [m]: as

@@ -7,6 +7,7 @@
 #include "tests/scene_fixture.h"
 #include "tests/settings.h"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
@@ -150,5 +151,30 @@ TEST_CASE("a force that acts from the start and ends leaves all of its impulse")
         Simulation ball = load("force-at-the-start.json", tests::awake_settings(preset));
         tests::advance(ball, 1.0);
         CHECK(velocity(last_body(ball)).x() == Approx(100.0 / 60.0).epsilon(1e-12));
+    }
+}
+
+TEST_CASE("a ball that falls close behind another does not pass into it where that one is stopped") {
+    for (const double gap : {0.003, 0.01, 0.02, 0.03}) {
+        for (int n = 0; n < 50; ++n) {
+            const double height = 1.0 + 0.08 * n;
+            SceneDescription scene;
+            scene.name = "followers";
+            scene.contacts = true;
+            scene.gravity = {0, -9.81, 0};
+            const auto add = [&](const char* name, double y) {
+                scene.bodies.push_back(
+                    {.name = name, .shape = SphereShape{0.1}, .mass = 1.0, .position = {0, y, 0}});
+            };
+            scene.bodies.push_back({.name = "ground", .shape = PlaneShape{}});
+            add("low", height);
+            add("high", height + 0.2 + gap);
+            const Settings settings = tests::awake_settings("default");
+            Simulation simulation(build_scene(scene, settings), settings);
+            double deepest = 0.0;
+            for (int step = 0; step < 90; ++step) deepest = std::max(deepest, simulation.advance().penetration.max);
+            INFO("gap " << gap << " m, from " << height << " m");
+            CHECK(deepest < 0.005);
+        }
     }
 }
