@@ -43,7 +43,8 @@ AnyCommand read_run(Words& words) {
     const bool models = files.glb || files.replay;
     words.take("fps", models || files.trajectory, "with --trajectory, --glb or --replay");
     for (const char* const name : {"camera", "overlay"}) words.take(name, models, "with --glb or --replay");
-    require_shown_overlays(words, {.glb = files.glb.has_value(), .replay = files.replay.has_value()});
+    require_shown_overlays(words,
+                           {.glb = files.glb.has_value(), .replay = files.replay && !files.replay_poses_only});
     if (files.replay) pictures::check_replay_name(*files.replay);
     return command;
 }

@@ -142,7 +142,9 @@ void require_shown_overlays(const Words& words, const Shown& outputs) {
         const bool glb = outputs.glb && !colours_bodies(item.kind) && item.kind != OverlayKind::trails;
         if (glb || (outputs.replay && is_in_replays(item.kind))) continue;
         throw UsageError(fmt::format("--overlay {}: must be of pictures; {} does not show it", name_of(item.kind),
-                                     outputs.glb ? "a glTF file" : "a replay"));
+                                     outputs.glb      ? "a glTF file"
+                                     : outputs.replay ? "a replay"
+                                                      : "a replay with --replay-data poses"));
     }
 }
 

@@ -24,8 +24,12 @@ std::vector<std::string> comparable(const Choices& choices) {
     return names;
 }
 
+bool has_joints(const Choices& c) {
+    return !c.description.distances.empty() || !c.description.joints.empty();
+}
+
 bool has_rows(const Choices& c) {
-    return c.description.contacts || !c.description.distances.empty() || !c.description.joints.empty();
+    return c.description.contacts || has_joints(c);
 }
 
 bool has_contacts(const Choices& c) {
@@ -64,9 +68,7 @@ const std::array conditions{
                "friction-model", "restitution", "restitution-model"},
               has_contacts,
               "without contacts"},
-    Condition{{"distance-push", "distance-beta"},
-              [](const Choices& c) { return !c.description.distances.empty() || !c.description.joints.empty(); },
-              "without bars and joints"},
+    Condition{{"distance-push", "distance-beta"}, has_joints, "without bars and joints"},
     Condition{{"distance-push", "distance-beta", "rest"}, is_whole, "in RATTLE steps"},
     Condition{{"beta", "max-push-speed"},
               [](const Choices& c) { return c.settings.contacts.kind != engine::PushKind::none; },
@@ -77,6 +79,12 @@ const std::array conditions{
     Condition{{"small-steps"},
               [](const Choices& c) { return takes_small_steps(c.settings); },
               "without --scheme small-steps, or --scheme auto with --solver auto and a --tolerance above 0"},
+    Condition{{"scheme", "small-steps"},
+              [](const Choices& c) {
+                  return c.settings.scheme != Scheme::small_steps || has_joints(c) ||
+                         c.settings.contacts.kind != engine::PushKind::persistent;
+              },
+              "with --push persistent, whose momentum small steps cannot give"},
     Condition{{"friction-model"},
               [](const Choices& c) {
                   return any_surface(c, c.settings.friction, &BodyDescription::friction,

@@ -238,6 +238,11 @@ TEST_CASE(
           note + "--distance-push none: has no effect in RATTLE steps\n");
     CHECK(said("run stack --seconds 0 --scheme whole --small-steps 4x4") == note + small_steps);
     CHECK(said("run stack --seconds 0 --solver pgs --small-steps 4x4") == note + small_steps);
+    CHECK(
+        said("run stack --seconds 0 --preset paper --scheme small-steps") ==
+        note +
+            "--scheme small-steps: has no effect with --push persistent, whose momentum small steps cannot give\n");
+    CHECK(said("run stack --seconds 0 --tolerance 0 --scheme small-steps").empty());
     CHECK(said("run stack --seconds 0 --friction 0 --friction-model cone") ==
           note + "--friction-model cone: has no effect where all friction is 0\n");
     CHECK(said("render stack --push none --compare beta=0.1,0.2" + still) ==
@@ -283,6 +288,8 @@ TEST_CASE("options before the command are refused, -- ends the options, and a va
     check_refused("render stack --out=", "--out: must have a value, DIR");
     check_refused("run -- --seconds", "scene --seconds: must be one of");
     check_refused("family --seed 3", "--seed 3: must not be with family");
+    check_refused("run stack --replay r.html --replay-data poses --overlay forces",
+                  "--overlay forces: must be of pictures; a replay with --replay-data poses does not show it");
     check_refused("run stack --timing --threads 2", "--threads 2: must be without --timing");
     CHECK(shell(Folder(), "pushfactor run --seconds=0 -- stack").status == 0);
 }
