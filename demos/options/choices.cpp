@@ -140,6 +140,16 @@ std::string current_name(const std::string& name, const std::string& text, const
     return {};
 }
 
+// A scene file as a config names it, or beside the config.
+std::string found_scene(const std::filesystem::path& config, const std::string& scene) {
+    const std::filesystem::path folder = config.parent_path(), given = scene;
+    if (given.extension() != ".json" || exists(given)) return scene;
+    for (const std::filesystem::path& place : {folder / given, folder / given.filename()}) {
+        if (exists(place)) return place.string();
+    }
+    return scene;
+}
+
 }  // namespace
 
 void GivenOptions::add(const std::string& name, const std::string& text, const std::string& field) {
@@ -173,7 +183,8 @@ void add_config(const std::filesystem::path& file, GivenOptions& given) {
             throw UsageError(field + ": unknown option" + suggestion(name, known));
         }
         if (!is_text) throw UsageError(fmt::format("{} {}: must be a string or a number", field, value.dump()));
-        if (!above.preset_decides(name)) given.add(name, text_of(value), field);
+        const std::string text = name == "scene" ? found_scene(file, text_of(value)) : text_of(value);
+        if (!above.preset_decides(name)) given.add(name, text, field);
     }
     // Programs that did not fit cameras to stills did not write which camera they had.
     if (config.contains("at") || config.contains("compare")) {
@@ -191,7 +202,7 @@ Choices understand(const std::string& scene, GivenOptions given) {
         const std::string name = current_name(key, text, field);
         if (name.empty()) continue;
         if (std::find(known.begin(), known.end(), name) == known.end()) {
-            throw UsageError(field + ": unknown key" + suggestion(name, known));
+            throw UsageError(field + ": unknown key" + nearest_or_all(name, known));
         }
         // A resumed run has already been started: no preset changes its start kick.
         const bool is_over = choices.description.state && name == "start-kick";
@@ -225,6 +236,7 @@ std::uint32_t motion_hash(const Choices& choices) {
     SceneDescription description = spelled_out(choices);
     description.name.clear();
     description.has_camera = false;
+    description.standing.reset();
     for (BodyDescription& body : description.bodies) body.colour.reset();
     for (const char* const name : {"preset", "seconds", "threads"}) description.options.erase(name);
     return static_cast<std::uint32_t>(text_hash(scene_file_text(description)));

@@ -42,7 +42,8 @@ class GivenOptions {
     std::map<std::string, Given, std::less<>> given_;
 };
 
-// Adds the options of a JSON file: an object of option names without dashes, and "scene". Throws UsageError for a
+// Adds the options of a JSON file: an object of option names without dashes, and "scene"; a scene file that is not
+// there is looked for beside the config, which may have been moved with it. Throws UsageError for a
 // file that cannot be read, is not such an object or has an unknown key; the message suggests the nearest known
 // key.
 void add_config(const std::filesystem::path& file, GivenOptions& given);

@@ -6,6 +6,9 @@
 #include "demos/text/palette.h"
 #include "demos/text/utf8.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <map>
 #include <set>
 
@@ -29,6 +32,16 @@ void describe(Fields& fields, MaterialPairDescription& pair) {
     fields.must("b", pair.b, read_name);
     fields.if_any("friction", pair.friction, between(0.0, 100.0));
     fields.if_any("restitution", pair.restitution, between(0.0, 1.0));
+}
+
+void describe(Fields& fields, Standing& standing) {
+    const auto heights = [](const JsonReader& json) {
+        std::vector<double> list;
+        for (const JsonReader& height : json.elements()) list.push_back(height.number(-1e9, 1e9));
+        return list;
+    };
+    fields.must("side_m", standing.side, between(1e-50, 1e50));
+    fields.must("rest_heights_m", standing.rest_heights, heights);
 }
 
 namespace {
@@ -73,6 +86,16 @@ std::vector<MaterialPairDescription> read_material_pairs(const JsonReader& json,
         list.push_back(pair);
     }
     return list;
+}
+
+Standing read_standing(const JsonReader& json, const SceneDescription& scene) {
+    auto standing = read_object<Standing>(json);
+    const auto movable =
+        std::ranges::count_if(scene.bodies, [](const auto& body) { return body.mass.has_value(); });
+    if (std::ssize(standing.rest_heights) != movable) {
+        json.at("rest_heights_m").refuse(fmt::format("one height for each of the {} bodies with a mass", movable));
+    }
+    return standing;
 }
 
 void read_options(const JsonReader& json, SceneDescription& scene) {
@@ -134,6 +157,7 @@ void describe(Fields& fields, SceneDescription& scene, const std::filesystem::pa
                   each([](const auto& json, const auto& of, const auto&) { return read_no_contact(json, of); }));
     fields.if_any("material_pairs", scene.materials,
                   [&](const JsonReader& json) { return read_material_pairs(json, scene); });
+    fields.if_any("standing", scene.standing, [&](const JsonReader& json) { return read_standing(json, scene); });
 }
 
 const Keys& scene_keys() {
@@ -154,6 +178,7 @@ const std::map<std::string, std::vector<std::string>>& scene_file_keys() {
         KeysByObject all{{"scene", scene_keys()},
                          {"body", body_keys()},
                          {"material_pair", keys_of<MaterialPairDescription>()},
+                         {"standing", keys_of<Standing>()},
                          {"camera", keys_of<View>()}};
         for (KeysByObject more : {state_keys(), motion_file_keys(), connection_keys()}) all.merge(more);
         return all;

@@ -41,7 +41,7 @@ void JsonReader::require_object(std::span<const std::string> known) const {
     for (const auto& [key, value] : value_.items()) {
         if (std::find(known.begin(), known.end(), key) != known.end()) continue;
         throw UsageError(fmt::format("{}: {}{}{}: unknown key{}", file_, path_, path_.empty() ? "" : ".", key,
-                                     suggestion(key, known)));
+                                     nearest_or_all(key, known)));
     }
 }
 

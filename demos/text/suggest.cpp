@@ -44,6 +44,11 @@ std::string suggestion(std::string_view typed, std::span<const std::string> know
     return nearest ? "; did you mean " + *nearest + "?" : std::string();
 }
 
+std::string nearest_or_all(std::string_view typed, std::span<const std::string> known) {
+    const std::string nearest = suggestion(typed, known);
+    return nearest.empty() ? fmt::format("; there are {}", fmt::join(known, ", ")) : nearest;
+}
+
 std::string one_of(std::string_view typed, std::span<const std::string> known) {
     return fmt::format("must be one of {}{}", fmt::join(known, ", "), suggestion(typed, known));
 }

@@ -19,6 +19,9 @@ std::vector<std::string> names_of(const Table& table) {
 // "; did you mean WORD?" for the nearest of `known`, or empty if none is near.
 std::string suggestion(std::string_view typed, std::span<const std::string> known);
 
+// The same, or "; there are A, B" if none is near.
+std::string nearest_or_all(std::string_view typed, std::span<const std::string> known);
+
 // "must be one of A, B; did you mean B?"
 std::string one_of(std::string_view typed, std::span<const std::string> known);
 

@@ -179,11 +179,13 @@ void set_measure(BuiltScene& scene, const SceneDescription& description, const S
     };
 }
 
-// Velocities that are finite may make momenta that are not.
+// Numbers that are finite may make momenta that are not.
 void require_finite(const BuiltScene& scene) {
     const auto found = engine::find_non_finite(scene.world.bodies);
     if (!found) return;
-    throw engine::InvalidInput(found->quantity + " of " + scene.bodies[found->body].name, "beyond 1e308", "finite");
+    throw engine::InvalidInput(
+        "size, mass and velocity of " + scene.bodies[found->body].name, "together",
+        "less extreme, as its " + found->quantity + " is beyond what numbers can be (1e308)");
 }
 
 void resume(BuiltScene& scene, const RunState& state) {

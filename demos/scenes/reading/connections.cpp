@@ -194,7 +194,9 @@ JointDescription read_joint(const JsonReader& json, const BodyNames& names, cons
 
 ForceDescription read_force(const JsonReader& json, const BodyNames& names, const Polyhedra& polyhedra) {
     auto force = read_object<ForceDescription>(json);
-    read_body_name(json.at("body"), names, false);
+    if (names.at(read_body_name(json.at("body"), names, false))) {
+        json.at("body").refuse("a body with a mass: no force moves a static one");
+    }
     if (!json.has("torque_n_m")) json.at("force_n");  // one of both must be there
     if (json.has("point_m") && !json.has("force_n")) {
         json.at("point_m").refuse("left out without force_n: a torque acts at no point");

@@ -61,6 +61,7 @@ const char* const everything = R"({
     "contacts": true,
     "no_contacts": [["box", "block"]],
     "material_pairs": [{"a": "oak", "b": "oak", "friction": 0.4, "restitution": 0.1}],
+    "standing": {"side_m": 1, "rest_heights_m": [0.5, 1.5, 2.5]},
     "state": {"time_s": 0.5, "substeps": 1, "solved_exactly": false, "kept_steps": 0,
               "warm_start": [{"bodies": ["box"], "solved_exactly": true, "kept_steps": 0,
                               "exact_debt_multiply_adds": 100, "exact_failures": 1}],
@@ -111,6 +112,9 @@ const std::vector<Field> fields{
     {"scene", "no_contacts", "/no_contacts",
      both(no_lists, {"[1]", "[[\"box\"]]", "[[\"box\", \"wrong\"]]", "[[\"box\", \"box\"]]"})},
     {"scene", "material_pairs", "/material_pairs", both(no_lists, {"[1]", "[{}]"})},
+    {"scene", "standing", "/standing", both(no_objects, {"{}"})},
+    {"standing", "side_m", "/standing/side_m", both(no_numbers, no_positive)},
+    {"standing", "rest_heights_m", "/standing/rest_heights_m", both(no_lists, {"[]", "[1, 2]", "[1, 2, \"3\"]"})},
     {"scene", "state", "/state", no_objects},
     {"scene", "options", "/options", no_objects},
     {"scene", "camera", "/camera", no_objects},
@@ -353,7 +357,9 @@ TEST_CASE("the program refuses bad input with status 2 and one line, and writes 
         {"bad.json", "bad.json: bodies[0].mass_kg NaN: must be a finite number"},
         {"pair.json",
          "pair.json: distance_constraints[0].b.body \"world\": must be a movable body, as a is static"},
-        {"fast.json", "fast.json: linear momentum of ball beyond 1e308: must be finite"},
+        {"fast.json",
+         "fast.json: size, mass and velocity of ball together: must be less extreme, as its linear momentum is "
+         "beyond what numbers can be (1e308)"},
     };
     const Folder folder;
     const auto scene = [](const std::string& ball, const std::string& rest = "") {

@@ -43,6 +43,11 @@ TEST_CASE("a built-in scene and its file run to the same state, options included
         const std::string from_file = tests::shell(folder, "pushfactor run my.json").out;
         CHECK(hash_in(built_in).size() == 32);
         CHECK(hash_in(from_file) == hash_in(built_in));
+        const Json own = Json::parse(built_in), of_file = Json::parse(from_file);
+        for (const char* const key : {"outcome", "lean_time_s", "fall_time_s", "heights_m"}) {
+            INFO(name << " " << key);
+            CHECK(own.value(key, Json()) == of_file.value(key, Json()));
+        }
         // And reading and writing it again gives the same file.
         REQUIRE(tests::shell(folder, "pushfactor scene my.json > again.json").status == 0);
         CHECK(folder.read("again.json") == folder.read("my.json"));
@@ -237,4 +242,37 @@ TEST_CASE("a wrong motion is refused with its path in the file, the value and wh
     const tests::Ended ended = tests::shell(folder, "pushfactor run my.json --seconds 0.1");
     CHECK(ended.status == 2);
     CHECK_THAT(ended.err, Catch::Contains("auto or whole for a scene with moved bodies"));
+}
+
+TEST_CASE("a stack that falls has fallen, from its name, its file and its saved state") {
+    const Folder folder;
+    const std::string run = " --preset paper --seconds 71";
+    REQUIRE(tests::shell(folder, "pushfactor scene stack" + run + " > my.json").status == 0);
+    const Json own = Json::parse(tests::shell(folder, "pushfactor run stack" + run).out);
+    REQUIRE(own["outcome"] == "fall");
+    const Json of_file = Json::parse(tests::shell(folder, "pushfactor run my.json").out);
+    REQUIRE(tests::shell(folder, "pushfactor run my.json --seconds 60 --save-state state.json").status == 0);
+    const Json resumed = Json::parse(tests::shell(folder, "pushfactor run state.json --seconds 11").out);
+    for (const char* const key : {"outcome", "heights_m"}) {
+        CHECK(of_file[key] == own[key]);
+        CHECK(resumed[key] == own[key]);
+    }
+    CHECK(of_file["fall_time_s"] == own["fall_time_s"]);
+    CHECK(of_file["lean_time_s"] == own["lean_time_s"]);
+}
+
+TEST_CASE("an unknown key is answered with the nearest one or all, and no force acts on a static body") {
+    CHECK_THAT(said_of(scene_of(ball, R"(, "long_box": 1)")),
+               Catch::Contains("long_box: unknown key; there are version, name, gravity_m_per_s2, bodies"));
+    CHECK_THAT(said_of(scene_of(ball, R"(, "options": {"wherever": 1})")),
+               Catch::Contains("options.wherever: unknown key; there are preset, seconds"));
+    CHECK_THAT(
+        said_of(scene_of(R"({"name": "ground", "shape": "plane"})",
+                         R"(, "forces": [{"body": "ground", "force_n": [0, 1, 0]}])")),
+        Catch::Contains("forces[0].body \"ground\": must be a body with a mass: no force moves a static one"));
+    const Folder folder;
+    folder.write("my.json",
+                 scene_of(R"({"name": "long box", "shape": "box", "size_m": [1e40, 1, 1], "mass_kg": 1})"));
+    tests::check_refused(folder, "pushfactor run my.json",
+                         "size, mass and velocity of long box together: must be less extreme");
 }
