@@ -15,6 +15,7 @@
 #include "demos/runs/recorder.h"
 #include "demos/runs/scene.h"
 #include "demos/runs/trajectory.h"
+#include "demos/scenes/scene_file.h"
 #include "demos/text/errors.h"
 #include "demos/text/json.h"
 
@@ -53,6 +54,13 @@ Job understand_job(const std::string& scene, const Render& request) {
     return job;
 }
 
+// Beside config.json: the scene that came from a pipe.
+const char* const piped_scene = "config.scene.json";
+
+bool is_piped(const std::string& scene) {
+    return !find_scene(scene) && is_stream(scene);
+}
+
 // The files of a folder of frames have their names; a scene and other outputs must not take them.
 void refuse_own_files(const Job& job, const Render& request, const std::string& scene) {
     std::vector<std::string> files = request.files.all();
@@ -63,7 +71,7 @@ void refuse_own_files(const Job& job, const Render& request, const std::string& 
     for (const std::string& file : files) {
         const std::string name = fs::path(file).filename();
         const bool is_own = name == "config.json" || (name == "summary.json" && file != request.summary) ||
-                            job.sequence.frames.front().has(name);
+                            (name == piped_scene && is_piped(scene)) || job.sequence.frames.front().has(name);
         if (is_own && is_file_of(job.folder, file)) {
             throw UsageError(
                 fmt::format("{}: must have another name: render writes a file of this name there", file));
@@ -71,8 +79,9 @@ void refuse_own_files(const Job& job, const Render& request, const std::string& 
     }
 }
 
-// Writes config.json. Frames left by an earlier, longer run could be mistaken for this run's, but are not ours to
-// delete. Shards of one film write the same file; a folder with another film is not for them.
+// Writes config.json, and the scene if it came from a pipe. Frames left by an earlier, longer run could be mistaken
+// for this run's, but are not ours to delete. Shards of one film write the same file; a folder with another film is
+// not for them.
 void prepare_folder(const Job& job, const Render& request) {
     const auto strangers = std::ranges::count_if(fs::directory_iterator(job.folder), [&](const auto& entry) {
         return entry.path().extension() == ".png" &&
@@ -83,16 +92,30 @@ void prepare_folder(const Job& job, const Render& request) {
                          strangers == 1 ? "file" : "files"));
     }
     const fs::path file = job.folder / "config.json";
-    const std::string& scene = job.sequence.panels.front().choices.scene;
-    const Json before = Json::parse(read_bytes_of(file).value_or(""), nullptr, false);
-    if (before.is_object() && before.contains("scene") && before["scene"].is_string() && before["scene"] != scene) {
-        note(fmt::format("{} had the pictures of scene {}, and gets those of {}", job.folder.string(),
-                         before["scene"].get<std::string>(), scene));
+    Choices choices = job.sequence.panels.front().choices;
+    std::string scene_text;
+    if (is_piped(choices.scene)) {
+        SceneDescription description = choices.description;
+        if (!choices.settings.measured.empty()) {  // they come with that option again
+            std::erase_if(description.bodies, [](const auto& body) { return !body.measured_of.empty(); });
+        }
+        scene_text = scene_file_text(description);
+        choices.scene = (job.folder / piped_scene).string();
     }
-    const std::string text = config_text(job.sequence.panels.front().choices, request.given);
-    if (!request.shard) {
-        write_file(file, text);
-    } else if (!write_first(file, text)) {
+    const Json before = Json::parse(read_bytes_of(file).value_or(""), nullptr, false);
+    if (before.is_object() && before.contains("scene") && before["scene"].is_string() &&
+        before["scene"] != choices.scene) {
+        note(fmt::format("{} had the pictures of scene {}, and gets those of {}", job.folder.string(),
+                         before["scene"].get<std::string>(), choices.scene));
+    }
+    for (const auto& [path, text] :
+         {std::pair{job.folder / piped_scene, scene_text}, std::pair{file, config_text(choices, request.given)}}) {
+        if (text.empty()) continue;
+        if (!request.shard) {
+            write_file(path, text);
+            continue;
+        }
+        if (write_first(path, text)) continue;
         throw UsageError(fmt::format("--shard {}: {} is of another film; remove the folder, or take another --out",
                                      to_text(*request.shard), file.string()));
     }
@@ -105,8 +128,9 @@ void make_frames(const Job& job, const Render& request, Session& session, Record
     pictures::FrameWriter writer(job.folder, request.png, request.video, rate, times, job.film);
     ProgressBar bar(job.sequence.scene(), static_cast<long>(job.sequence.drawn_count()));
     take_frames(session, recorder, pictures, writer.queue(), times, [&](long drawn) { bar.show(drawn); });
-    stop_if_interrupted(fmt::format("{} of {} frames are in {}", writer.queue().ended(), job.sequence.drawn_count(),
-                                    job.folder.string()));
+    stop_if_interrupted(fmt::format("{} of {} frames were drawn{}", writer.queue().ended(),
+                                    job.sequence.drawn_count(),
+                                    request.png ? ", into " + job.folder.string() : ""));
     writer.finish();
 }
 
@@ -256,9 +280,9 @@ AnyCommand read_render(Words& words) {
     take_frames(words, (draws ? of_pictures : 0u) | (draws && words.given("shutter") ? of_shutter : 0u) |
                            (film ? of_film : 0u) | (command.files.trajectory ? of_trajectory : 0u) |
                            (models ? of_models : 0u));
-    require_shown_overlays(
-        words,
-        {.pictures = draws, .glb = command.files.glb.has_value(), .replay = command.files.replay.has_value()});
+    require_shown_overlays(words, {.pictures = draws,
+                                   .glb = command.files.glb.has_value(),
+                                   .replay = command.files.replay && !command.files.replay_poses_only});
     if (command.video) pictures::check_video_name(*command.video);
     if (command.files.replay) pictures::check_replay_name(*command.files.replay);
     words.refuse_rest(stills ? "render --at, which makes stills" : draws ? "render" : "render --frames off");

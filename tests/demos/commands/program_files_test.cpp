@@ -75,6 +75,19 @@ TEST_CASE("two runs give equal files, and a config file gives the run that wrote
     CHECK_THAT(folder.read("d.json"), Catch::Contains("\"seed\": 6") && Catch::Contains("\"beta\": 0.3"));
 }
 
+TEST_CASE("the pictures of a scene from a pipe are made again with their config, wherever the folder is") {
+    const Folder folder;
+    require_success(folder,
+                    "pushfactor scene stack --count 2 | sed 's/\"stack\"/\"two\"/' | pushfactor render - --at 0.5" +
+                        tiny + "--out a/b");
+    const std::string picture = folder.read("a/b/at_0.5s.png");
+    require_success(folder, "mv a/b moved && rm -r a && pushfactor check moved </dev/null");
+    require_success(folder, "pushfactor render --config moved/config.json --out again </dev/null");
+    CHECK(folder.read("again/at_0.5s.png") == picture);
+    check_refused(folder, "pushfactor scene stack | pushfactor render - --at 0 --out r --csv r/config.scene.json",
+                  "r/config.scene.json: must have another name");
+}
+
 TEST_CASE("a preset of the command line wins over files that spell out their options, a single option over both") {
     const Folder folder;
     const std::string run = "pushfactor run stack --count 2 --seconds 1 --dt 1/120 ";
@@ -250,7 +263,7 @@ TEST_CASE("a render that is far from its next frame can be interrupted too") {
     const Ended ended = stopped_when(folder, "test -e frames/at_0s.png",
                                      "render stack --seconds 20000 --at 0,20000 --out frames" + tiny);
     CHECK(ended.status == 1);
-    CHECK_THAT(ended.err, Catch::Contains("1 of 2 frames are in frames"));
+    CHECK_THAT(ended.err, Catch::Contains("1 of 2 frames were drawn, into frames"));
 }
 
 TEST_CASE("an interrupted run keeps whole lines in its CSV files and says up to where") {
@@ -291,7 +304,7 @@ TEST_CASE("an interrupted render leaves whole frames only and says how many") {
     const Ended ended =
         stopped_when(folder, "test -e frames/frame_000003.png", "render stack --seconds 1000 --out frames" + tiny);
     CHECK(ended.status == 1);
-    CHECK_THAT(ended.err, Catch::Contains("interrupted") && Catch::Contains("frames are in frames"));
+    CHECK_THAT(ended.err, Catch::Contains("interrupted") && Catch::Contains("frames were drawn, into frames"));
     long frames = 0;
     for (const std::string& name : folder.files()) {
         CHECK_THAT(name, !Catch::Contains(".partial") && !Catch::Contains("summary"));
