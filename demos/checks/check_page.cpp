@@ -22,6 +22,8 @@ struct Entry {
     std::string name() const { return folder->name + "/" + picture->name; }
 };
 
+const char* const unexpected = "unexpected: not a picture of this run";
+
 // Pictures that differ, the worst first, equal ones in the order of their names.
 std::vector<Entry> worst_first(std::span<const FolderVerdict> folders) {
     std::vector<Entry> entries;
@@ -47,9 +49,9 @@ std::string folder_table(std::span<const FolderVerdict> folders) {
                                one.compared ? "" : "not compared: ", one.text);
         }
         if (run.empty()) run = folder.runs.empty() ? "none" : "as expected";
-        const Mark mark = folder.failures() > 0       ? Mark::fails
-                          : folder.not_compared() > 0 ? Mark::not_compared
-                                                      : Mark::holds;
+        const Mark mark = folder.failures() > 0                                     ? Mark::fails
+                          : folder.not_compared() > 0 || !folder.unexpected.empty() ? Mark::not_compared
+                                                                                    : Mark::holds;
         table.push_back({std::string(word_of(mark)), folder.name, std::to_string(folder.pictures.size()),
                          std::to_string(differ), run, folder.how});
     }
@@ -95,7 +97,7 @@ std::string rest_html(std::span<const FolderVerdict> folders, const std::vector<
     }
     for (const FolderVerdict& folder : folders) {
         for (const std::string& name : folder.unexpected) {
-            table.push_back({folder.name + "/" + name, "unexpected: not a picture of this run; no failure"});
+            table.push_back({folder.name + "/" + name, unexpected});
         }
     }
     if (table.size() == 1) return "";
@@ -126,17 +128,18 @@ std::vector<std::string> lines_of(const FolderVerdict& folder) {
         if (!picture.holds()) lines.push_back(fmt::format("{}/{}: {}", folder.name, picture.name, picture.text));
     }
     for (const std::string& name : folder.unexpected) {
-        lines.push_back(fmt::format("{}/{}: unexpected: not a picture of this run", folder.name, name));
+        lines.push_back(fmt::format("{}/{}: {}", folder.name, name, unexpected));
     }
     return lines;
 }
 
 std::string headline(std::span<const FolderVerdict> folders) {
-    long pictures = 0, differ = 0, runs = 0, wrong_runs = 0, skipped = 0;
+    long pictures = 0, differ = 0, runs = 0, wrong_runs = 0, skipped = 0, strangers = 0;
     for (const FolderVerdict& folder : folders) {
         pictures += std::ssize(folder.pictures);
         for (const PictureVerdict& picture : folder.pictures) differ += picture.holds() ? 0 : 1;
         skipped += folder.not_compared() > 0 ? 1 : 0;
+        strangers += std::ssize(folder.unexpected);
         runs += std::ranges::any_of(folder.runs, says_of_run) ? 1 : 0;
         wrong_runs +=
             std::any_of(folder.runs.begin(), folder.runs.end(), [](const auto& run) { return !run.holds; });
@@ -144,7 +147,8 @@ std::string headline(std::span<const FolderVerdict> folders) {
     const auto of = [](long some, long all, const char* word) {
         return fmt::format("{} of {}", some, plural(all, word));
     };
-    const std::string apart = skipped > 0 ? "; " + plural(skipped, "run") + " not compared, or not wholly" : "";
+    std::string apart = skipped > 0 ? "; " + plural(skipped, "run") + " not compared, or not wholly" : "";
+    if (strangers > 0) apart += "; " + plural(strangers, "picture") + " unexpected";
     if (differ + wrong_runs == 0) {
         const std::string tail = runs > 0 ? " and " + plural(runs, "run") : "";
         return fmt::format("{}{} {} as expected{}", plural(pictures, "picture"), tail,
@@ -189,6 +193,8 @@ std::vector<SuiteVerdict> suites_of(std::span<const FolderVerdict> folders) {
                                    .seconds = picture.seconds,
                                    .badness = picture.badness});
         }
+        for (const std::string& name : folder.unexpected)
+            suite.cases.push_back({.name = name, .skipped = unexpected});
     }
     return suites;
 }

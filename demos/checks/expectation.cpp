@@ -109,35 +109,31 @@ std::vector<std::string> Expectation::unexpected() const {
     return names;
 }
 
-std::vector<fs::path> folders_of_runs(const fs::path& folder) {
+std::vector<fs::path> folders_of_pictures(const fs::path& folder) {
     if (!fs::is_directory(folder)) throw UsageError(fmt::format("check {}: must be a folder", folder.string()));
-    std::vector<fs::path> found;
-    if (fs::exists(folder / "config.json")) found.push_back(folder);
-    std::error_code error;
+    std::set<fs::path> found;
+    bool has_config = false;
     for (const fs::path& below : files_below(folder)) {
-        if (below.filename() == "config.json" && below.parent_path() != folder)
-            found.push_back(below.parent_path());
+        const bool is_config = below.filename() == config_file;
+        has_config |= is_config;
+        if (is_config || is_png(below)) found.insert(below.parent_path());
     }
-    if (found.empty()) {
+    if (!has_config) {
         throw UsageError(
             fmt::format("check {}: must have a config.json, as `render` writes it, in it or below; pictures "
                         "without one are compared with --against",
                         folder.string()));
     }
-    std::sort(found.begin(), found.end());
-    return found;
+    return {found.begin(), found.end()};
 }
 
 Expectation read_expectation(const fs::path& folder, const GivenOptions& given) {
     Expectation expected{.folder = folder, .given = given, .sequence = {}, .summary = read_summary(folder)};
-    const fs::path config = folder / "config.json";
+    const fs::path config = folder / config_file;
     add_config(config, expected.given);
     const auto* const scene = expected.given.find("scene");
     if (!scene) throw UsageError(fmt::format("{}: scene: must be given", config.string()));
-    std::string name = scene->text;
-    const bool is_file = name.ends_with(".json") && !fs::exists(name);
-    if (is_file && fs::exists(folder / name)) name = (folder / name).string();
-    expected.sequence = plan_sequence(name, expected.given);
+    expected.sequence = plan_sequence(scene->text, expected.given);
     return expected;
 }
 

@@ -25,12 +25,14 @@ struct Expectation {
     std::vector<std::string> unexpected() const;
 };
 
-// The folders below `folder`, itself included, that have a config.json, by name. Throws UsageError if there are
-// none.
-std::vector<std::filesystem::path> folders_of_runs(const std::filesystem::path& folder);
+inline const char* const config_file = "config.json";
 
-// `given` takes precedence over the config. A scene file that is not there is looked for in the folder. Throws
-// UsageError, one line, also for a folder that a newer version of the program wrote.
+// The folders below `folder`, itself included, that have pictures or a config.json, by name. Throws UsageError if
+// none has a config.json.
+std::vector<std::filesystem::path> folders_of_pictures(const std::filesystem::path& folder);
+
+// `given` takes precedence over the config. Throws UsageError, one line, also for a folder that a newer version of
+// the program wrote.
 Expectation read_expectation(const std::filesystem::path& folder, const GivenOptions& given);
 
 bool is_png(const std::filesystem::path& file);

@@ -98,6 +98,7 @@ FolderVerdict check_folder(const Expectation& expected, const Rules& rules, cons
         take_frames(session, &recorder, {.film = &film}, queue, nullptr, job.progress);
     } catch (const NonFiniteError& error) {
         verdict.runs.push_back({.subject = "run", .holds = false, .text = error.what()});
+        verdict.made = false;
     }
     stop_if_interrupted("no expected file was changed");
     verdict.pictures = compared.verdicts();

@@ -37,8 +37,9 @@ struct FolderVerdict {
     std::string how;     // its pictures were compared: "to the byte", or the tolerance
     std::vector<PictureVerdict> pictures{};
     std::vector<RunVerdict> runs{};
-    std::vector<std::string> unexpected{};  // names of pictures that are not of this run; no failure
+    std::vector<std::string> unexpected{};  // names of pictures that are not of this run, and so not compared
     double seconds = 0.0;                   // that the check took
+    bool made = true;                       // its run, to the end
 
     long not_compared() const {
         return std::count_if(runs.begin(), runs.end(), [](const auto& one) { return !one.compared; });

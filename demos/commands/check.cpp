@@ -87,11 +87,6 @@ std::string name_of(const fs::path& folder) {
     return name;
 }
 
-// Whether a file of this name says what is expected.
-bool is_expected_file(const fs::path& name) {
-    return name == "config.json" || name == "summary.json" || name == "trajectory.csv" || is_png(name);
-}
-
 fs::path pages_of(const Check& request) {
     return request.out.value_or("out/check");
 }
@@ -116,9 +111,8 @@ class Checks {
         Anchors anchors;
         std::set<fs::path> seen;
         for (const std::string& given : request.folders) {
-            for (const fs::path& folder : folders_of_runs(given)) {
-                if (!seen.insert(fs::canonical(folder)).second) continue;
-                refuse_expected_files(folder);
+            for (const fs::path& folder : folders_of_pictures(given)) {
+                if (is_below(pages_of(request), folder) || !seen.insert(fs::canonical(folder)).second) continue;
                 tasks_.push_back(
                     {folder, {.name = name_of(folder), .anchor = anchors(folder), .pages = pages_of(request)}});
             }
@@ -142,7 +136,8 @@ class Checks {
     // After carry_out().
     void update() {
         for (Task& task : tasks_) {
-            const long count = task.update->apply();
+            if (!task.verdict->made) print(fmt::format("{}: cannot be updated\n", task.job.name));
+            const long count = task.verdict->made ? task.update->apply() : 0;
             if (count == 0) continue;
             print(fmt::format("{}: {} {} updated\n", task.job.name, count, count == 1 ? "file" : "files"));
         }
@@ -151,36 +146,29 @@ class Checks {
     std::string driver() const { return driver_; }
 
   private:
-    void refuse_expected_files(const fs::path& folder) const {
-        for (const auto& [option, file] :
-             {std::pair{"junit", &request_.junit}, std::pair{"markdown", &request_.markdown}}) {
-            if (*file && is_expected_file(fs::path(**file).filename()) && is_file_of(folder, **file)) {
-                throw UsageError(fmt::format("--{} {}: must not be a file that is checked", option, **file));
-            }
-        }
-    }
-
     void work() {
         try {
             std::optional<pictures::OffscreenRenderer> offscreen;
             std::string made_for;
             for (std::size_t i = next_++; i < tasks_.size(); i = next_++) {
-                std::optional<Expectation> expected;
-                try {
-                    expected.emplace(read_expectation(tasks_[i].folder, request_.given));
-                } catch (const UsageError& error) {
-                    fail(tasks_[i], error.what());
+                if (!fs::exists(tasks_[i].folder / config_file)) {
+                    fail(tasks_[i], "there is no config.json, as `render` writes it, for the pictures", false);
                     continue;
                 }
-                const std::string& gl = expected->sequence.panels.front().choices.frames.gl;
-                if (!offscreen || gl != made_for) {
-                    const std::lock_guard lock(mutex_);  // the first context sets the environment
-                    offscreen.reset();
-                    offscreen.emplace(gl);
-                    made_for = gl;
-                    driver_ = offscreen->driver();
+                try {
+                    const Expectation expected = read_expectation(tasks_[i].folder, request_.given);
+                    const std::string& gl = expected.sequence.panels.front().choices.frames.gl;
+                    if (!offscreen || gl != made_for) {
+                        const std::lock_guard lock(mutex_);  // the first context sets the environment
+                        offscreen.reset();
+                        offscreen.emplace(gl);
+                        made_for = gl;
+                        driver_ = offscreen->driver();
+                    }
+                    check(tasks_[i], expected, *offscreen);
+                } catch (const UsageError& error) {
+                    fail(tasks_[i], error.what());
                 }
-                check(tasks_[i], *expected, *offscreen);
             }
         } catch (...) {
             const std::lock_guard lock(mutex_);
@@ -190,11 +178,12 @@ class Checks {
     }
 
     // A folder that cannot be read fails, and the others are checked.
-    void fail(Task& task, const std::string& why) {
+    void fail(Task& task, const std::string& why, bool compared = true) {
         end(task, {.name = task.job.name,
                    .anchor = task.job.anchor,
                    .how = "not at all",
-                   .runs = {{.subject = "folder", .holds = false, .text = why}}});
+                   .runs = {{.subject = "folder", .holds = !compared, .text = why, .compared = compared}},
+                   .made = false});
     }
 
     void check(Task& task, const Expectation& expected, pictures::OffscreenRenderer& offscreen) {
@@ -241,11 +230,14 @@ void write_results(const Check& request, const std::vector<FolderVerdict>& verdi
 void judge(const Check& request, const std::vector<FolderVerdict>& verdicts) {
     long failures = 0;
     for (const FolderVerdict& verdict : verdicts) {
-        failures += verdict.failures() + (request.allow_not_compared ? 0 : verdict.not_compared());
+        const bool is_mended = request.update && verdict.made;
+        if (!is_mended) failures += verdict.failures();
+        if (request.allow_not_compared) continue;
+        failures += std::ssize(verdict.unexpected) + (is_mended ? 0 : verdict.not_compared());
     }
     const std::string text =
         fmt::format("{}; see {}", headline(verdicts), (pages_of(request) / "index.html").string());
-    if (failures > 0 && !request.update) throw CheckError(text);
+    if (failures > 0) throw CheckError(text);
     print(text + "\n");
 }
 
@@ -272,7 +264,7 @@ std::vector<Option> check_options() {
          "hash: the final state is bit-identical; M: poses are within M metres and radians of trajectory.csv "
          "in the folder (made by render --trajectory), for another compiler or C library; off [hash]"},
         {"update", "",
-         "print the differences and replace pictures, summary.json and trajectory.csv, all or nothing; "
+         "print the differences and replace pictures, summary.json and trajectory.csv of a folder, all or nothing; "
          "config.json is never overwritten",
          group, OptionKind::flag},
         {"jobs", "N", "folders that are checked at once [1]"},
@@ -280,7 +272,8 @@ std::vector<Option> check_options() {
         {"out", "DIR", "folder for the page, with the 20 worst pictures of each folder [out/check]"},
         {"junit", "FILE", "the verdicts as JUnit XML, for CI servers", group, OptionKind::writes},
         {"markdown", "FILE", "a summary as Markdown, for $GITHUB_STEP_SUMMARY", group, OptionKind::writes},
-        {"allow-not-compared", "", "status 0 even if something could not be compared", group, OptionKind::flag},
+        {"allow-not-compared", "", "status 0 even if something could not be compared, or is unexpected", group,
+         OptionKind::flag},
     };
 }
 
@@ -306,6 +299,9 @@ AnyCommand read_check(Words& words) {
     command.markdown = words.take("markdown");
     command.allow_not_compared = words.take_flag("allow-not-compared");
     understand_rules(command);
+    std::vector<std::string> folders = command.folders;
+    folders.push_back(pages_of(command));
+    for (const std::string& folder : folders) require_own_endings(folder, command.junit, command.markdown);
     return command;
 }
 

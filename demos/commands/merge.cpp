@@ -116,11 +116,12 @@ void carry_out(const Merge& command) {
     const std::vector<fs::path> folders(command.folders.begin(), command.folders.end());
     require_one_version(folders);
     const ReportNote note = note_of(folders);
-    Words words("report", report_options(), {note.words.begin() + 1, note.words.end()});
+    std::vector<std::string> all(note.words.begin() + 1, note.words.end());
+    if (command.junit) all.insert(all.end(), {"--junit", *command.junit});
+    if (command.markdown) all.insert(all.end(), {"--markdown", *command.markdown});
+    Words words("report", report_options(), all);
     Report report = read_report(words, words.take_names().front());
     report.out = !command.out && folders.size() == 1 ? command.folders.front() : command.out;
-    report.junit = command.junit;
-    report.markdown = command.markdown;
     try {
         make_report(report, folders);
     } catch (const reports::MissingPieces& missing) {

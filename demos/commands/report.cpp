@@ -66,6 +66,7 @@ void make_report(const Report& request, const std::vector<std::filesystem::path>
                              : request.parts.empty() ? ""
                                                      : fmt::format("-{}", fmt::join(request.parts, "-"));
     const std::filesystem::path folder = request.out.value_or("out/report-" + study.name + part);
+    require_own_endings(folder, request.junit, request.markdown);
     const auto count = make_study(
         study, {.folder = folder,
                 .quick = request.quick,

@@ -159,6 +159,7 @@ std::vector<std::string> Words::take_all(std::string_view option) {
         for (const std::string& text : found->second) {
             if (one.kind == OptionKind::reads) reads_.push_back({field(one.name), text});
             if (one.kind == OptionKind::writes) writes_.push_back({field(one.name), text});
+            if (one.placeholder == "DIR") folders_.push_back({field(one.name), text});
         }
     }
     return found->second;
@@ -226,6 +227,17 @@ void Words::refuse_rest(std::string_view command) const {
                     fmt::format("{}: must not be a file that is read, {}", writes_[i].field, input.field));
             }
         }
+    }
+}
+
+void require_own_endings(const std::string& folder, const std::optional<std::string>& junit,
+                         const std::optional<std::string>& markdown) {
+    for (const auto& [option, file, ending] :
+         {std::tuple{"junit", &junit, ".xml"}, std::tuple{"markdown", &markdown, ".md"}}) {
+        if (!*file || is_stream(**file) || !is_below(folder, **file)) continue;
+        if (followed(**file).extension() == ending) continue;
+        throw UsageError(fmt::format("--{} {}: must end in {} within {}, where other files may have this name",
+                                     option, **file, ending, folder));
     }
 }
 

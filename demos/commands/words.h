@@ -68,6 +68,7 @@ class Words {
 
     // Files that the options that were taken write.
     const std::vector<NamedFile>& outputs() const { return writes_; }
+    const std::vector<NamedFile>& folders() const { return folders_; }  // of the options that were taken
 
     const std::string& line() const { return line_; }  // as typed, quoted where a shell needs it
 
@@ -81,9 +82,14 @@ class Words {
     std::vector<std::string> names_;
     std::set<std::string, std::less<>> taken_;
     bool names_taken_ = false;
-    std::vector<NamedFile> reads_, writes_;
+    std::vector<NamedFile> reads_, writes_, folders_;
     std::string line_;
 };
+
+// Throws UsageError for a file of --junit or --markdown in or below the folder, unless it ends in .xml or .md, as
+// no other file there does, and so replaces none.
+void require_own_endings(const std::string& folder, const std::optional<std::string>& junit,
+                         const std::optional<std::string>& markdown);
 
 // The options as a help text, by group.
 std::string help_of(const std::vector<Option>& options);

@@ -109,6 +109,13 @@ bool is_file_of(const fs::path& folder, const fs::path& file) {
            fs::weakly_canonical(parent.empty() ? "." : parent, error) == fs::weakly_canonical(folder, error);
 }
 
+bool is_below(const fs::path& folder, const fs::path& path) {
+    std::error_code error;
+    const fs::path way = fs::weakly_canonical(fs::absolute(followed(path)), error)
+                             .lexically_relative(fs::weakly_canonical(fs::absolute(folder), error));
+    return !way.empty() && *way.begin() != "..";
+}
+
 std::optional<int> named_descriptor(fs::path path) {
     if (path == "-") return STDOUT_FILENO;
     std::error_code error;

@@ -75,6 +75,9 @@ bool is_stream(const std::filesystem::path& path);
 // Whether the folder has a file of this name, or would have it.
 bool is_file_of(const std::filesystem::path& folder, const std::filesystem::path& file);
 
+// Whether a path is that of the folder or leads into it; neither need exist.
+bool is_below(const std::filesystem::path& folder, const std::filesystem::path& path);
+
 // Writes to standard output, at once.
 void print(std::string_view text);
 

@@ -78,7 +78,7 @@ TEST_CASE("check names a missing, a truncated and an unexpected picture and one 
 
     const Ended ended = shell(folder, "pushfactor check gold --junit verdicts.xml --markdown summary.md");
     CHECK(ended.status == 3);
-    CHECK(ended.err == "pushfactor: 3 of 10 pictures differ; see out/check/index.html\n");
+    CHECK(ended.err == "pushfactor: 3 of 10 pictures differ; 1 picture unexpected; see out/check/index.html\n");
     INFO(ended.out);
     CHECK(lines_of(ended.out).size() == 4);
     CHECK(has_line(ended.out, frame + "0.png: missing"));
@@ -89,7 +89,8 @@ TEST_CASE("check names a missing, a truncated and an unexpected picture and one 
 
     const std::string junit = folder.read("verdicts.xml");
     CHECK(junit.find("<testsuite name=\"gold/stack\"") != std::string::npos);
-    CHECK(junit.find("tests=\"7\" failures=\"3\"") != std::string::npos);  // five pictures, options and physics
+    CHECK(junit.find("tests=\"8\" failures=\"3\" errors=\"0\" skipped=\"1\"") !=
+          std::string::npos);  // five pictures and an unexpected one, options and physics
     CHECK(junit.find("message=\"missing\"") != std::string::npos);
     CHECK(folder.read("summary.md").find("| ❌ | gold/stack | 7 | 3 |") != std::string::npos);
 }
@@ -198,12 +199,16 @@ TEST_CASE("check counts a folder once however it is named, and never writes over
     const Ended twice = shell(folder, "pushfactor check gold/ gold ./gold");
     CHECK(twice.status == 0);
     CHECK(twice.out == "5 pictures and 1 run are as expected; see out/check/index.html\n");
-    for (const char* const file : {"gold/config.json", "gold/summary.json", "./gold/frame_000000.png"}) {
-        for (const char* const option : {"--junit", "--markdown"}) {
+    for (const char* const file :
+         {"gold/config.json", "gold/summary.json", "./gold/frame_000000.png", "out/check/index.html"}) {
+        for (const auto& [option, ending] : {std::pair{"--junit", ".xml"}, std::pair{"--markdown", ".md"}}) {
             check_refused(folder, fmt::format("pushfactor check gold {} {}", option, file),
-                          fmt::format("{} {}: must not be a file that is checked", option, file));
+                          fmt::format("{} {}: must end in {} within ", option, file, ending));
         }
     }
+    check_refused(folder, "pushfactor report stability --quick --junit out/report-stability/index.html",
+                  "must end in .xml within out/report-stability");
+    require_success(folder, "pushfactor check gold --junit out/check/verdicts.xml");
     CHECK(contents(folder, "gold") == before);
 }
 
@@ -431,4 +436,41 @@ TEST_CASE("check finds each of forty planted differences, and passes nothing tha
                      std::string(100, 'c'),
                  std::string(100, 'a'))
               .status == 0);
+}
+
+TEST_CASE(
+    "check goes on after a folder that it cannot read, and is no success over pictures that no run explains") {
+    const Folder folder;
+    render_gold(folder);
+    const std::string trajectory =
+        "pushfactor render chain --out gold/chain --trajectory gold/chain/trajectory.csv ";
+    require_success(folder, trajectory + small);
+    require_success(folder, "cp -r gold damaged; sed -i '4s/.*/damaged/' damaged/chain/trajectory.csv");
+    const Ended damaged = shell(folder, "pushfactor check damaged --physics 1e-6 --allow-not-compared");
+    INFO(damaged.out << damaged.err);
+    CHECK(damaged.status == 3);
+    CHECK(has_line(damaged.out, "damaged/chain: folder: --physics 1e-06: damaged/chain/trajectory.csv: line 4"));
+    CHECK(damaged.err.find("1 of 1 run differs") != std::string::npos);
+
+    fs::remove(folder / "gold/chain/config.json");
+    const std::string said = "gold/chain: folder: not compared: there is no config.json";
+    const Ended alone = shell(folder, "pushfactor check gold");
+    CHECK(alone.status == 3);
+    CHECK(has_line(alone.out, said));
+    CHECK(shell(folder, "pushfactor check gold --allow-not-compared").status == 0);
+    const Ended update = shell(folder, "pushfactor check gold --update");
+    CHECK(update.status == 3);
+    CHECK(has_line(update.out, "gold/chain: cannot be updated"));
+
+    fs::remove_all(folder / "gold/chain");
+    CHECK(shell(folder, "pushfactor check gold --out gold/page && pushfactor check gold --out gold/page").status ==
+          0);
+    fs::remove_all(folder / "gold/page");
+    fs::copy_file(folder / "gold/stack/frame_000000.png", folder / "gold/stack/more.png");
+    for (const char* const options : {"", " --update", " --against gold/intersecting-stack --tolerance 255"}) {
+        const Ended ended = shell(folder, std::string("pushfactor check gold/stack") + options);
+        INFO(options << ended.out << ended.err);
+        CHECK(ended.status == 3);
+    }
+    CHECK(shell(folder, "pushfactor check gold --allow-not-compared").status == 0);
 }

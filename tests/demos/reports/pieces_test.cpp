@@ -88,6 +88,8 @@ TEST_CASE("pieces of several folders are merged, and no piece is made twice, wha
     CHECK(a > 0);
     CHECK(b > 0);
     CHECK(a + b == 9);
+    check_refused(folder, "pushfactor report merge b a --out merged --junit v.xml",
+                  "--junit v.xml: must be with report stability, which judges");
     require_success(folder, "pushfactor report merge b a --out merged");
     CHECK(files_of(folder, "merged") == files_of(folder, "whole"));
 
