@@ -60,12 +60,13 @@ double mean(const std::vector<double>& values) {
 }
 
 Json measured_of(const MeasuredSum& sum) {
-    const auto count = static_cast<double>(std::max(sum.count, 1L));
+    const auto count = static_cast<double>(sum.count);
+    const auto of_some = [&](double value) { return sum.count > 0 ? Json(value) : Json(nullptr); };
     return {{"compared", sum.count},
-            {"distance_m_mean", sum.distance / count},
-            {"distance_m_largest", sum.largest_distance},
-            {"angle_deg_mean", sum.angle / count},
-            {"angle_deg_largest", sum.largest_angle}};
+            {"distance_m_mean", of_some(sum.distance / count)},
+            {"distance_m_largest", of_some(sum.largest_distance)},
+            {"angle_deg_mean", of_some(sum.angle / count)},
+            {"angle_deg_largest", of_some(sum.largest_angle)}};
 }
 
 }  // namespace
@@ -214,6 +215,11 @@ std::string warning_text(const std::string& name, const Simulation& simulation, 
     const UnsolvedSteps& steps = measured.unsolved();
     const BuiltScene& scene = simulation.scene();
     std::string text = shaken_too_fast(name, simulation);
+    if (measured.measured() && measured.measured()->count == 0) {
+        text += fmt::format(
+            "pushfactor: warning: {}: nothing was compared with the measured poses: no step is within their time\n",
+            name);
+    }
     if (steps.first && is_seen(steps, simulation)) {
         text += fmt::format("pushfactor: warning: {}: {} of {} steps {} not solved to {} m/s, the first is {}",
                             name, steps.count, steps.of, steps.count == 1 ? "is" : "are",

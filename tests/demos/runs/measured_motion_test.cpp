@@ -4,6 +4,7 @@
 #include "demos/options/named_run.h"
 #include "demos/runs/measured_errors.h"
 #include "demos/scenes/scene_file.h"
+#include "demos/text/json.h"
 #include "tests/catch.h"
 #include "tests/demos/csv.h"
 #include "tests/demos/program.h"
@@ -133,6 +134,17 @@ TEST_CASE("moments of inertia are those that are given: a turn about an axis kee
     const pushfactor::engine::Body& body = run.scene().world.bodies[1];
     CHECK((body.angular_momentum - Vector3(0.06, 0.05, 0.08)).norm() < 1e-15);
     CHECK((angular_velocity(body) - Vector3(3, 1, 2)).norm() < 1e-14);
+}
+
+TEST_CASE("where no step is within the measured time, nothing is compared, and a warning says so") {
+    const Folder folder;
+    require_success(folder, "pushfactor run stack --seconds 0.1 --trajectory own.csv > plain.json");
+    const Ended ended = shell(folder, "pushfactor run stack --seconds 0 --measured own.csv");
+    const Json measured = Json::parse(ended.out)["measured"];
+    CHECK(measured["compared"] == 0);
+    CHECK(measured["distance_m_mean"].is_null());
+    CHECK(measured["angle_deg_largest"].is_null());
+    CHECK(ended.err.find("stack: nothing was compared with the measured poses") != std::string::npos);
 }
 
 TEST_CASE("measured motion that cannot be is refused by field and line") {
