@@ -90,6 +90,7 @@ struct Room {
     float size = 16.0f;  // of the font
     int left = 0;        // of the titles of the rows
     int below = 0;       // of the labels of a row of cells, for print; on a screen these are in the cells
+    int legend = 0;      // under all cells, for print
 };
 
 float width_of(const std::string& lines, float size, const pictures::Lettering& lettering) {
@@ -119,6 +120,7 @@ Room room_of(const FigureOutput& output, const PictureGrid& grid, const pictures
     for (std::size_t i = 0; i < grid.cells.size(); ++i)
         most = std::max(most, label_lines(grid, i, room.size, across, lettering).size());
     room.below = static_cast<int>(room.size * (0.6f + 1.2f * static_cast<float>(most)));
+    if (grid.overlay) room.legend = static_cast<int>(pictures::legend_height(1, room.size));
     return room;
 }
 
@@ -180,7 +182,8 @@ Sheet draw_grid(FigureOutput& output, const PictureGrid& grid) {
     const double label = room.below > 0 ? 0.0 : 1.8 * room.size / layout.cell.height;
     const View view = camera_of(grid, aspect, label);
 
-    Sheet sheet = Sheet::blank(output.width(), size.height + rows * room.below, output.format());
+    const int all_rows = size.height + rows * room.below;
+    Sheet sheet = Sheet::blank(output.width(), all_rows + room.legend, output.format());
     std::vector<renderer::Rectangle> cells(grid.cells.size());
     for (std::size_t i = 0; i < cells.size(); ++i) {
         cells[i] = layout.place(i);
@@ -210,7 +213,10 @@ Sheet draw_grid(FigureOutput& output, const PictureGrid& grid) {
         const pictures::Scale scale{grid.overlay->kind, *grid.overlay->units_a_metre};
         const pictures::LegendLine line =
             legend_line(pictures::entries_of(scale.kind).front(), scale, view, layout.cell.height);
-        for (SheetLayer& layer : sheet.layers) lettering.legend(layer.image, cells.back(), {line}, room.size);
+        const renderer::Rectangle strip{0.0f, static_cast<float>(all_rows), static_cast<float>(output.width()),
+                                        static_cast<float>(room.legend)};
+        const renderer::Rectangle& place = room.legend > 0 ? strip : cells.back();
+        for (SheetLayer& layer : sheet.layers) lettering.legend(layer.image, place, {line}, room.size);
     }
     return sheet;
 }

@@ -146,8 +146,21 @@ void Film::write(renderer::Image& sheet, double time) const {
     const auto width = static_cast<float>(sheet.width), height = static_cast<float>(sheet.height);
     const auto strip = static_cast<float>(strip_ > 0 ? strip_ : sheet.height);
     renderer::Rectangle below{0.0f, height - strip, width, strip};
-    for (std::size_t i = 0; i < labels_.size(); ++i) {
-        if (!labels_[i].empty()) lettering.name(sheet, layout_.place(i), labels_[i], size);
+    std::string caption = fmt::format("t = {:.2f} s   {}", time, caption_);
+    if (labels_.size() > 1) {
+        std::vector<std::string> names = labels_;
+        const float room = static_cast<float>(layout_.cell.width) - 2.0f * size;
+        const auto widest = [&] {
+            float most = 0.0f;
+            for (const std::string& name : names) most = std::max(most, lettering.width(name, size));
+            return most;
+        };
+        if (widest() > room) {  // names that are cut may be alike: values alone, in smaller letters where needed
+            caption += "   compared: " + choices_.compare->option;
+            for (std::string& name : names) name.erase(0, name.find(' ') + 1);
+        }
+        const float letters = size * std::clamp(room / widest(), 0.5f, 1.0f);
+        for (std::size_t i = 0; i < names.size(); ++i) lettering.name(sheet, layout_.place(i), names[i], letters);
     }
     // Arrows in the legend have their length at the camera's target; if the cameras of the panels differ, each
     // panel has a legend.
@@ -163,7 +176,7 @@ void Film::write(renderer::Image& sheet, double time) const {
         }
     }
     if (choices_.caption) {
-        lettering.caption(sheet, below, fmt::format("t = {:.2f} s   {}", time, caption_), size);
+        lettering.caption(sheet, below, caption, size);
     }
 }
 

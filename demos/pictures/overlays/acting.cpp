@@ -49,7 +49,7 @@ void add_contacts(const BuiltScene& scene, std::vector<Acting>& found) {
         for (std::size_t t = 0; site.friction_row && t < 2; ++t) {
             force += site.tangents[t] * answer_of(scene.world, *site.friction_row + t).lasting_force;
         }
-        add(site, row.label.gap <= 0.0, force, row.push);
+        add(site, row.label.gap <= 0.0 || normal_force > 0.0, force, row.push);
     }
     for (const engine::RestingContact& contact : scene.contacts->sites_at_rest(scene.world.bodies)) {
         add(contact.site, contact.normal > 0.0, contact.force, {});

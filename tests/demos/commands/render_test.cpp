@@ -87,6 +87,17 @@ TEST_CASE("captions and legends cross neither panels nor each other, and ghosts 
                                 "--threads 1");
     CHECK(differing("long", "longer") == 0);  // what is cut is not under the legend
 
+    // Panels that are alike but for their names, which do not fit whole: the values are told apart.
+    require_success(folder,
+                    "pushfactor render stack --at 0.5 --camera scene --size 160x90 --out names --compare "
+                    "max-push-speed=1111111,2111111");
+    const auto names = image_in(folder, "names/at_0.5s.png");
+    int different = 0;
+    for (int y = 0; y < 20; ++y) {
+        for (int x = 0; x < 79; ++x) different += names.pixel(x, y) == names.pixel(x + 81, y) ? 0 : 1;
+    }
+    CHECK(different > 4);
+
     require_success(folder, render + "--ghosts 0.5 --out ghosts");
     require_success(folder, render + "--out plain");
     CHECK(differing("ghosts", "plain") > 100);

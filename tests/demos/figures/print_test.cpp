@@ -98,7 +98,10 @@ TEST_CASE("Figure 7 in a column of 85 mm has letters of 8 points, in its PDF and
     const Ended ended = shell(folder, "pushfactor figures figure_07 --width 85mm --samples 1 --out .");
     INFO(ended.err);
     REQUIRE(ended.status == 0);
-    CHECK(header_of(folder.read("figure_07.png")).width == 1004);  // 85 mm at 300 dpi
+    const Header header = header_of(folder.read("figure_07.png"));
+    CHECK(header.width == 1004);  // 85 mm at 300 dpi
+    // Under the panels, whose width over height is 0.72, are a line of text and the legend.
+    CHECK(header.height > 1004 / 3 / 0.72 + 4.0 * 8.0 / 72.0 * 300.0);
     REQUIRE(std::filesystem::exists(folder / "figure_07.pdf"));
     CHECK(folder.files() == std::vector<std::string>{"figure_07.html", "figure_07.pdf", "figure_07.png",
                                                      "figure_07.tex", "index.html", "pushfactor.bib"});

@@ -55,6 +55,15 @@ TEST_CASE("the contact forces of a stack at rest carry what lies above them, and
     }
 }
 
+TEST_CASE("a contact point that carries load is none within the margin, however small its gap is") {
+    for (const char* const rest : {"on", "off"}) {
+        const Simulation run = after(run_of("stack", {{"rest", rest}, {"slop", "0"}}), 600);
+        for (const Acting& at : acting_in(run.scene())) {
+            CHECK((at.kind == Acting::Kind::touching || at.force.norm() == 0.0));
+        }
+    }
+}
+
 TEST_CASE("the line of thrust of a leaning tower is where the weight above is") {
     // Two cubes of 2.4 m, the upper one moved 0.6 m aside: its centre of pressure is below its centre, and that of
     // both together halfway between their centres.
