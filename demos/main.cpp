@@ -26,6 +26,10 @@ std::string with_option(const std::string& message, const std::optional<CommandL
         const std::string folder = std::filesystem::path(name).parent_path();
         if (message.starts_with((folder.empty() ? "." : folder) + ": ")) return field + ": " + message;
     }
+    for (const auto& [field, name] : line->folders) {
+        if (message.starts_with(name + ": ")) return field + message.substr(name.size());
+        if (message.starts_with(name + "/")) return field + ": " + message;
+    }
     return message;
 }
 

@@ -164,9 +164,10 @@ std::optional<CommandLine> parse_command_line(const std::vector<std::string>& wo
         return std::nullopt;
     }
     Words given(entry.name, entry.options(), {words.begin() + 1, words.end()});
-    CommandLine line{.command = entry.read(given), .outputs = {}};
+    CommandLine line{.command = entry.read(given), .outputs = {}, .folders = {}};
     given.refuse_rest(entry.name);
     line.outputs = given.outputs();
+    line.folders = given.folders();
     return line;
 }
 

@@ -9,10 +9,10 @@
 
 namespace pushfactor::demos {
 
-// A command with what it reads, and the files that it will write.
+// A command with what it reads, and the files that it will write, some in folders.
 struct CommandLine {
     commands::AnyCommand command;
-    std::vector<NamedFile> outputs;
+    std::vector<NamedFile> outputs, folders;
 };
 
 std::vector<commands::Entry> command_entries();

@@ -146,7 +146,8 @@ TEST_CASE("outputs that cannot be written end with status 4 and name option and 
     check_refusal("run stack --seconds 1 --junit /proc/no/x.xml", 2, {"--junit"});
     check_refusal("run stack --seconds 1 --csv /dev/full", 4, {"--csv /dev/full", "No space left"});
     check_refusal("run stack --seconds 1 --summary .", 4, {"--summary .", "directory"});
-    check_refusal("render stack --at 0 --out /dev/null/frames", 4, {"/dev/null/frames"});
+    check_refusal("render stack --at 0 --out /dev/null/frames", 4, {"--out /dev/null/frames: Not a directory"});
+    check_refusal("report cost --quick --out /dev/null/page", 4, {"--out /dev/null/page: Not a directory"});
 }
 
 TEST_CASE("the last good state of a run is not written beside a device that takes its outputs") {
