@@ -346,7 +346,7 @@ TEST_CASE("a frame that cannot be written ends the film: one message, and all fr
     std::filesystem::create_directories(folder / "frames/frame_000005.png");
     const Ended ended = render(folder, "stack --seconds 2 --fps 20");
     CHECK(ended.status == 4);
-    CHECK(ended.err == "pushfactor: frames/frame_000005.png: Is a directory\n");
+    CHECK(ended.err == "pushfactor: --out frames: frames/frame_000005.png: Is a directory\n");
     CHECK(folder.files() == std::vector<std::string>{"frames/config.json", "frames/frame_000000.png",
                                                      "frames/frame_000001.png", "frames/frame_000002.png",
                                                      "frames/frame_000003.png", "frames/frame_000004.png"});
