@@ -48,6 +48,14 @@ std::optional<reports::GridRequest> understand_grid(const Report& request) {
                                 .replays = request.replays};
 }
 
+// A part has a folder of its own: its page and tables would replace those of the whole.
+std::string folder_of(const Report& request) {
+    const std::string part = request.grid            ? "-grid"
+                             : request.parts.empty() ? ""
+                                                     : fmt::format("-{}", fmt::join(request.parts, "-"));
+    return request.out.value_or("out/report-" + request.name + part);
+}
+
 reports::Study find_study(const std::string& name) {
     const std::vector<reports::Study> all = reports::all_studies();
     const std::vector<std::string> names = names_of(all);
@@ -61,11 +69,7 @@ reports::Study find_study(const std::string& name) {
 void make_report(const Report& request, const std::vector<std::filesystem::path>& merged) {
     const reports::Study study = find_study(request.name);
     const auto& shard = request.shard;
-    // A part has a folder of its own: its page and tables would replace those of the whole.
-    const std::string part = request.grid            ? "-grid"
-                             : request.parts.empty() ? ""
-                                                     : fmt::format("-{}", fmt::join(request.parts, "-"));
-    const std::filesystem::path folder = request.out.value_or("out/report-" + study.name + part);
+    const std::filesystem::path folder = folder_of(request);
     require_own_endings(folder, request.junit, request.markdown);
     const auto count = make_study(
         study, {.folder = folder,
@@ -181,6 +185,7 @@ Report read_report(Words& words, const std::string& name) {
         take(option, study.judges, "with report stability, which judges");
         *value = take(option, page, "with report merge, not with --shard");
     }
+    require_own_endings(folder_of(command), command.junit, command.markdown);
     words.refuse_rest("report " + name);
     return command;
 }
