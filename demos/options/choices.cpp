@@ -81,9 +81,15 @@ ParameterValues understand_parameters(const SceneEntry& scene, const GivenOption
     return values;
 }
 
+// Not if the name is too long.
+bool is_there(const std::filesystem::path& file) {
+    std::error_code ignored;
+    return exists(file, ignored);
+}
+
 // A name that is neither a known scene nor a file is reported as an unknown scene.
 void require_scene(const std::string& name) {
-    if (find_scene(name) || name == "-" || name.ends_with(".json") || std::filesystem::exists(name)) return;
+    if (find_scene(name) || name == "-" || name.ends_with(".json") || is_there(name)) return;
     const std::vector<std::string> names = names_of(catalogue());
     throw UsageError(fmt::format("scene {}: must be one of {}, or a scene file (.json){}", name,
                                  fmt::join(names, ", "), suggestion(name, names)));
@@ -143,9 +149,9 @@ std::string current_name(const std::string& name, const std::string& text, const
 // A scene file as a config names it, or beside the config.
 std::string found_scene(const std::filesystem::path& config, const std::string& scene) {
     const std::filesystem::path folder = config.parent_path(), given = scene;
-    if (given.extension() != ".json" || exists(given)) return scene;
+    if (given.extension() != ".json" || is_there(given)) return scene;
     for (const std::filesystem::path& place : {folder / given, folder / given.filename()}) {
-        if (exists(place)) return place.string();
+        if (is_there(place)) return place.string();
     }
     return scene;
 }
@@ -218,7 +224,7 @@ Choices understand(const std::string& scene, GivenOptions given) {
 
 void require_parameters(const std::string& scene, const GivenOptions& given) {
     require_scene(scene);
-    if (!find_scene(scene) && scene != "-" && !std::filesystem::exists(scene)) return;  // reading it says so
+    if (!find_scene(scene) && scene != "-" && !is_there(scene)) return;  // reading it says so
     refuse_foreign_parameters(scene, find_scene(scene), given);
 }
 

@@ -156,6 +156,7 @@ TEST_CASE("a bad config file is refused by file, key and value") {
     CHECK_THAT(said("{\"beta\": "), Catch::Contains("is not JSON"));
     CHECK_THAT(said("[1]"), Catch::Contains("must be an object"));
     CHECK(shell(folder, "pushfactor run stack --config none.json").status == 2);
+    check_refused(folder, "pushfactor run " + std::string(5000, 'x') + ".json", "File name too long");
     CHECK_THAT(said("{\"solver\": \"p\\u0000\"}"), Catch::Contains("solver: must be without \\u0000"));
 }
 
