@@ -187,7 +187,9 @@ std::string remedy(const Simulation& simulation, const Measurements& measured) {
         options.emplace_back("--substeps auto");
     if (measured.unsolved().worst_residual > much_residual * measured.max_speed()) {
         const bool exact = settings.solver == "auto" || settings.solver == "direct";
-        options.push_back(exact ? fmt::format("--iterations above {}", settings.iterations) : "--solver auto");
+        if (!exact) options.emplace_back("--solver auto");
+        if (exact && !takes_small_steps(settings))
+            options.push_back(fmt::format("--iterations above {}", settings.iterations));
     }
     if (options.empty()) options.push_back("--dt below " + to_text(settings.dt));
     return fmt::format("{}", fmt::join(options, " with "));
