@@ -61,8 +61,8 @@ inline constexpr double quanta_a_size = 256.0, rounds_up_at = 0.54;
 namespace impacts {
 // Impacts of a step at most, per body that flies.
 inline constexpr int most_per_body = 100;
-// Share of its speed that the rebounds of a pair leave it in a step before it counts as in contact: it ends the
-// cascades of a heap.
+// Share of the fastest impact of a pair in a step below which another one counts as a contact: it ends the cascades
+// of a heap.
 inline constexpr double least_left = 0.1;
 // What a body has to be moved by to hit anything else.
 inline constexpr double noticed = 1e-3;

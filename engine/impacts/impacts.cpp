@@ -216,8 +216,7 @@ Flier Impacts::flier(int collider) {
 void Impacts::foresee(int number, double from) {
     Meeting& meeting = meetings_[at(number)];
     const Flier a = flier(meeting.touch.pair.a), b = flier(meeting.touch.pair.b);
-    const bool is_over = meeting.left < constants::impacts::least_left;
-    expect(number, is_over ? never : next_impact(a, b, meeting.limits, from, manifold_));
+    expect(number, next_impact(a, b, meeting.limits, from, manifold_).time);
 }
 
 void Impacts::expect(int number, double time) {
@@ -345,14 +344,15 @@ void Impacts::strike(std::span<const ConstraintRow> rows) {
     double time = never, size = infinity;
     for (const int number : struck_) {
         Meeting& meeting = meetings_[at(number)];
-        const double met = next_impact(flier(meeting.touch.pair.a), flier(meeting.touch.pair.b), meeting.limits,
-                                       meeting.time, manifold_);
+        const NextImpact met = next_impact(flier(meeting.touch.pair.a), flier(meeting.touch.pair.b), meeting.limits,
+                                           meeting.time, manifold_);
         expect(number, never);
-        if (met == never) continue;
-        if (time == never) time = met;
+        if (met.time == never) continue;
+        if (time == never) time = met.time;
         ++count_;
         add_pair(number, time);
-        meeting.left *= meeting.touch.restitution;
+        const double least = constants::impacts::least_left * met.speed;
+        meeting.limits.least = std::max(meeting.limits.least, least);
         size = std::min(size, meeting.touch.size);
     }
     if (time == never) return;

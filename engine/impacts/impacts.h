@@ -10,11 +10,9 @@
 // What is left for the rows of the step is what does not hit anything but is held or lies: the bodies that were hit
 // enter it with their new momenta, and with the place where they end if nothing holds them.
 //
-// In a heap impacts with restitution below 1 follow each other without end. A pair whose rebounds have left a tenth
-// of its speed is in contact for the rest of the step.
-//
 // Bodies that lie on something do not fall while they fly. Impacts that are slower than ImpactLimits say are
-// contacts, as everything is that rests.
+// contacts, as everything is that rests. In a heap impacts with restitution below 1 would follow each other without
+// end: what is slower than a tenth of the fastest impact of the pair in this step is a contact, too.
 //
 // Deviations: 8.2 adds the rebound to the push of the row, so that all impacts of a step are one (`paper` does
 // that, contact_row.h).
@@ -59,8 +57,7 @@ class Impacts {
     struct Meeting {
         collision::Touch touch;  // without points
         ImpactLimits limits;
-        double time;        // s, of their next impact; never: none
-        double left = 1.0;  // of a speed of approach, after as many rebounds as they have had in this step
+        double time;  // s, of their next impact; never: none
     };
 
     void find_about_to_rebound();

@@ -75,13 +75,13 @@ bool are_apart(const Flier& a, const Flier& b, const ImpactLimits& limits, doubl
 
 double ImpactLimits::least_speed(const Vector3& normal, const Vector3& fall_a, const Vector3& fall_b) const {
     const double weight = std::max(std::abs(normal.dot(fall_a)), std::abs(normal.dot(fall_b)));
-    return std::max(weight * dt, std::sqrt(2.0 * weight * touching));
+    return std::max({least, weight * dt, std::sqrt(2.0 * weight * touching)});
 }
 
-double next_impact(const Flier& a, const Flier& b, const ImpactLimits& limits, double from,
-                   collision::Manifold& manifold) {
+NextImpact next_impact(const Flier& a, const Flier& b, const ImpactLimits& limits, double from,
+                       collision::Manifold& manifold) {
     const double dt = limits.dt, tolerance = constants::collision::meeting_gap * limits.size;
-    if (are_apart(a, b, limits, from)) return never;
+    if (are_apart(a, b, limits, from)) return {};
     double time = from;
     for (int looks = 0; looks < most_looks && time < dt; ++looks) {
         Look look(a, b, time, 2.0 * tolerance, manifold);
@@ -115,10 +115,10 @@ double next_impact(const Flier& a, const Flier& b, const ImpactLimits& limits, d
         const double speed = fastest_approach(look, manifold);
         const double least = std::max(limits.least_speed(manifold.normal, a.flight.fall(), b.flight.fall()),
                                       rounding_of_speeds * (velocity(look.a).norm() + velocity(look.b).norm()));
-        if (manifold.count > 0 && look.gap <= 2.0 * tolerance && speed > least) return meeting;
+        if (manifold.count > 0 && look.gap <= 2.0 * tolerance && speed > least) return {meeting, speed};
         time = std::max(time, meeting) + time_apart(a, b, look, manifold.count > 0 ? -speed : 0.0, limits);
     }
-    return never;
+    return {};
 }
 
 }  // namespace pushfactor::engine

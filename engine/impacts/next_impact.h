@@ -24,14 +24,20 @@ struct ImpactLimits {
     double size = 0.0;      // m, of the pair
     double touching = 0.0;  // m, gap up to which it touches (contact_row.h)
     double dt = 0.0;        // s, of the step
+    double least = 0.0;     // m/s, whatever the bodies weigh
 
     // m/s along `normal`, for bodies that fall with these accelerations [m/s^2].
     double least_speed(const Vector3& normal, const Vector3& fall_a, const Vector3& fall_b) const;
 };
 
-// The first time from `from` [s] on, within the step, at which the pair touches and approaches faster than the
+struct NextImpact {
+    double time = never;  // s, in the step
+    double speed = 0.0;   // m/s, of the approach
+};
+
+// The first one from `from` [s] on, within the step, at which the pair touches and approaches faster than the
 // limits say; `never` if there is none. `manifold` receives the points that touch then.
-double next_impact(const Flier& a, const Flier& b, const ImpactLimits& limits, double from,
-                   collision::Manifold& manifold);
+NextImpact next_impact(const Flier& a, const Flier& b, const ImpactLimits& limits, double from,
+                       collision::Manifold& manifold);
 
 }  // namespace pushfactor::engine

@@ -8,6 +8,7 @@
 #include "tests/settings.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -176,5 +177,42 @@ TEST_CASE("a ball that falls close behind another does not pass into it where th
             INFO("gap " << gap << " m, from " << height << " m");
             CHECK(deepest < 0.005);
         }
+    }
+}
+
+// A pair was in contact after rebounds that would leave a tenth of its speed, however often it was driven together
+// again: of 1200 such lines 296 overlapped by more than 5 mm, and by up to 20 cm, of which one is left.
+TEST_CASE("light balls that a fast one drives against a wall or a heavy one end between them, and gain nothing") {
+    tests::Random random(1);
+    for (int n = 0; n < 60; ++n) {
+        const double restitution = random.in(0.05, 0.95);
+        SceneDescription scene;
+        scene.name = "sandwich";
+        scene.contacts = true;
+        scene.gravity = engine::Vector3::Zero();
+        double x = 0.0;
+        const auto add = [&](const std::string& name, double mass) {
+            scene.bodies.push_back({.name = name,
+                                    .shape = SphereShape{0.1},
+                                    .mass = mass,
+                                    .position = {x, 0, 0},
+                                    .restitution = restitution});
+            x += 0.2 + random.in(0.0005, 0.03);
+        };
+        add("fast", 1.0);
+        scene.bodies.back().velocity = {random.in(3.0, 40.0), 0, 0};
+        for (int k = 0; k <= n % 3; ++k) add("light " + std::to_string(k), std::pow(10.0, random.in(-2.0, 0.3)));
+        add("last", random.in(5.0, 50.0));
+        if (n % 2 == 0) scene.bodies.back().mass.reset();
+        const Settings settings = tests::awake_settings("default");
+        tests::Run run(Simulation(build_scene(scene, settings), settings));
+        double deepest = 0.0;
+        for (int step = 0; step < 30; ++step) {
+            run.advance(1.0 / 60.0);
+            deepest = std::max(deepest, run.simulation.sample().penetration.max);
+        }
+        INFO(n << ", restitution " << restitution);
+        CHECK(deepest < 0.005);
+        CHECK(run.measurements.energy_gain() < 1e-9 * run.measurements.initial_energy());
     }
 }
