@@ -61,9 +61,9 @@ inline constexpr double quanta_a_size = 256.0, rounds_up_at = 0.54;
 namespace impacts {
 // Impacts of a step at most, per body that flies.
 inline constexpr int most_per_body = 100;
-// Share of the fastest impact of a pair in a step below which another one counts as a contact: it ends the cascades
-// of a heap.
-inline constexpr double least_left = 0.1;
+// Share of the speed that the fastest impact of a pair in a step has lost, below which another one counts as a
+// contact: it ends the cascades of a heap, and nothing of elastic bodies.
+inline constexpr double least_left = 0.2;
 // What a body has to be moved by to hit anything else.
 inline constexpr double noticed = 1e-3;
 // Way of the points of a pair that separates after which it is looked at again.

@@ -351,7 +351,8 @@ void Impacts::strike(std::span<const ConstraintRow> rows) {
         if (time == never) time = met.time;
         ++count_;
         add_pair(number, time);
-        const double least = constants::impacts::least_left * met.speed;
+        const double lost = (1.0 - meeting.touch.restitution) * met.speed;
+        const double least = constants::impacts::least_left * lost;
         meeting.limits.least = std::max(meeting.limits.least, least);
         size = std::min(size, meeting.touch.size);
     }

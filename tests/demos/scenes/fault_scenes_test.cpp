@@ -181,7 +181,7 @@ TEST_CASE("a ball that falls close behind another does not pass into it where th
 }
 
 // A pair was in contact after rebounds that would leave a tenth of its speed, however often it was driven together
-// again: of 1200 such lines 296 overlapped by more than 5 mm, and by up to 20 cm, of which one is left.
+// again: of 1200 such lines 296 overlapped by more than 5 mm, and by up to 20 cm; now the worst has 2.7 mm.
 TEST_CASE("light balls that a fast one drives against a wall or a heavy one end between them, and gain nothing") {
     tests::Random random(1);
     for (int n = 0; n < 60; ++n) {
