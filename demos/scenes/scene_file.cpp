@@ -90,8 +90,8 @@ std::vector<MaterialPairDescription> read_material_pairs(const JsonReader& json,
 
 Standing read_standing(const JsonReader& json, const SceneDescription& scene) {
     auto standing = read_object<Standing>(json);
-    const auto movable =
-        std::ranges::count_if(scene.bodies, [](const auto& body) { return body.mass.has_value(); });
+    const auto movable = std::count_if(scene.bodies.begin(), scene.bodies.end(),
+                                       [](const auto& body) { return body.mass.has_value(); });
     if (std::ssize(standing.rest_heights) != movable) {
         json.at("rest_heights_m").refuse(fmt::format("one height for each of the {} bodies with a mass", movable));
     }
