@@ -51,10 +51,6 @@ std::vector<Json> panels_of(const Json& summary) {
     return summary["panels"].get<std::vector<Json>>();
 }
 
-std::string shown(const Json& value) {
-    return value.is_string() ? value.get<std::string>() : value.dump();
-}
-
 // "beta 0.3 instead of 0.2" for each option that differs.
 std::string changed_options(const Json& before, const Json& now) {
     std::string text;
@@ -64,12 +60,12 @@ std::string changed_options(const Json& before, const Json& now) {
     for (const auto& [name, value] : now.items()) {
         if (name == "threads") continue;  // results do not depend on it
         if (!before.contains(name))
-            add(name, shown(value), "none");
+            add(name, text_of(value), "none");
         else if (before[name] != value)
-            add(name, shown(value), shown(before[name]));
+            add(name, text_of(value), text_of(before[name]));
     }
     for (const auto& [name, value] : before.items()) {
-        if (!now.contains(name)) add(name, "none", shown(value));
+        if (!now.contains(name)) add(name, "none", text_of(value));
     }
     return text;
 }

@@ -105,7 +105,7 @@ FolderVerdict check_folder(const Expectation& expected, const Rules& rules, cons
     add_missing(sequence, verdict.pictures);
     verdict.unexpected = expected.unexpected();
     const std::string summary = summary_of(session, recorder.finish(), offscreen.driver());
-    for (RunVerdict& one : compare_runs(expected, Json::parse(summary), rules.physics && !rules.trajectory)) {
+    for (RunVerdict& one : compare_runs(expected, parse_json(summary), rules.physics && !rules.trajectory)) {
         verdict.runs.push_back(std::move(one));
     }
     if (trajectory) verdict.runs.push_back(trajectory->verdict());

@@ -46,7 +46,7 @@ void require_one_version(const std::vector<fs::path>& folders) {
 
 ReportNote read_note(const fs::path& folder) {
     const auto text = PieceStore::note_of(folder);
-    const Json json = text ? Json::parse(*text, nullptr, false) : Json();
+    const Json json = text ? json_or_null(*text) : Json();
     const bool sound = json.is_object() && json.contains("words") && json["words"].is_array() &&
                        json["words"].size() >= 2 &&
                        std::ranges::all_of(json["words"], [](const Json& word) { return word.is_string(); }) &&

@@ -102,7 +102,7 @@ void prepare_folder(const Job& job, const Render& request) {
         scene_text = scene_file_text(description);
         choices.scene = (job.folder / piped_scene).string();
     }
-    const Json before = Json::parse(read_bytes_of(file).value_or(""), nullptr, false);
+    const Json before = json_or_null(read_bytes_of(file).value_or(""));
     if (before.is_object() && before.contains("scene") && before["scene"].is_string() &&
         before["scene"] != choices.scene) {
         note(fmt::format("{} had the pictures of scene {}, and gets those of {}", job.folder.string(),

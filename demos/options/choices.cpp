@@ -22,10 +22,6 @@ namespace {
     throw UsageError(fmt::format("{} {}: must be {}", given.field, given.text, allowed));
 }
 
-std::string text_of(const Json& value) {
-    return value.is_string() ? value.get<std::string>() : value.dump();
-}
-
 Settings understand_settings(const GivenOptions& given) {
     std::string preset = "default";
     if (const auto* chosen = given.find("preset")) {
@@ -188,7 +184,8 @@ void add_config(const std::filesystem::path& file, GivenOptions& given) {
         if (std::find(known.begin(), known.end(), name) == known.end()) {
             throw UsageError(field + ": unknown option" + suggestion(name, known));
         }
-        if (!is_text) throw UsageError(fmt::format("{} {}: must be a string or a number", field, value.dump()));
+        if (!is_text)
+            throw UsageError(fmt::format("{} {}: must be a string or a number", field, json_text(value, -1)));
         const std::string text = name == "scene" ? found_scene(file, text_of(value)) : text_of(value);
         if (!above.preset_decides(name)) given.add(name, text, field);
     }
@@ -250,7 +247,7 @@ std::uint32_t motion_hash(const Choices& choices) {
 
 std::string film_mark(const Choices& choices, const GivenOptions& given) {
     if (!choices.frames.at.empty()) return "";
-    Json config = Json::parse(config_text(choices, given));
+    Json config = parse_json(config_text(choices, given));
     // Frames are the same bytes with any of these.
     for (const char* const name : {"gl", "threads", "scene"}) config.erase(name);
     config["scene"] = choices.description.name;

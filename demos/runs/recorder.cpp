@@ -101,10 +101,10 @@ std::string summary_of(const Session& session, const std::vector<std::string>& s
                        const std::string& driver) {
     Json summary;
     if (summaries.size() == 1) {
-        summary = Json::parse(summaries.front());
+        summary = parse_json(summaries.front());
     } else {
         summary["compare"] = session.choices(0).frames.compare->option;
-        for (const std::string& each : summaries) summary["panels"].push_back(Json::parse(each));
+        for (const std::string& each : summaries) summary["panels"].push_back(parse_json(each));
     }
     summary["made_with"] = {{"program", version_text()}};
     if (!driver.empty()) summary["made_with"]["driver"] = driver;

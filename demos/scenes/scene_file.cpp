@@ -102,7 +102,7 @@ void read_options(const JsonReader& json, SceneDescription& scene) {
     json.require_object();
     for (const auto& [name, value] : json.json().items()) {
         if (!value.is_string() && !value.is_number()) json.at(name).refuse("a string or a number");
-        scene.options[name] = value.is_string() ? value.get<std::string>() : value.dump();
+        scene.options[name] = text_of(value);
     }
 }
 

@@ -20,7 +20,7 @@ namespace {
 
 // Long values would make a long line.
 std::string shortened(const Json& value) {
-    std::string text = value.dump();
+    std::string text = json_text(value, -1);
     if (text.size() > 60) text = text.substr(0, 57) + "...";
     return text;
 }
@@ -241,7 +241,7 @@ Json read_json_file(const std::filesystem::path& file, const std::string& label)
             fmt::format("{}: {}{}: {}", label, path.substr(0, 60), path.size() > 60 ? "..." : "", place.fault()));
     }
     try {
-        Json json = Json::parse(text);
+        Json json = parse_json(text);
         if (sound) return json;
     } catch (const Json::exception& problem) {
         refuse(label, text, place, problem);

@@ -113,7 +113,7 @@ Json Browser::next_message() {
         if (length <= 0) fail("it has ended");
         received_.append(part.data(), static_cast<std::size_t>(length));
     }
-    const Json message = Json::parse(received_.substr(0, end));
+    const Json message = demos::parse_json(received_.substr(0, end));
     received_.erase(0, end + 1);
     return message;
 }
@@ -122,7 +122,7 @@ void Browser::note(const Json& event) {
     const std::string method = event.value("method", "");
     if (method == "Page.loadEventFired") is_loaded_ = true;
     if (method == "Runtime.consoleAPICalled" || method == "Runtime.exceptionThrown" || method == "Log.entryAdded") {
-        messages_.push_back(event["params"].dump());
+        messages_.push_back(demos::json_text(event["params"], -1));
     }
     if (method == "Network.requestWillBeSent") {
         const std::string address = event["params"]["request"]["url"];
@@ -134,7 +134,7 @@ void Browser::note(const Json& event) {
 Json Browser::call(const std::string& method, const Json& parameters) {
     Json message{{"id", ++last_call_}, {"method", method}, {"params", parameters}};
     if (!session_.empty()) message["sessionId"] = session_;
-    const std::string text = message.dump() + '\0';
+    const std::string text = demos::json_text(message, -1) + '\0';
     for (std::size_t sent = 0; sent < text.size();) {
         const ssize_t length = write(to_browser_, text.data() + sent, text.size() - sent);
         if (length <= 0) fail("it has ended");
@@ -145,7 +145,7 @@ Json Browser::call(const std::string& method, const Json& parameters) {
         if (!answer.contains("id")) {
             note(answer);
         } else if (answer["id"] == last_call_) {
-            if (answer.contains("error")) fail(method + ": " + answer["error"].dump());
+            if (answer.contains("error")) fail(method + ": " + demos::json_text(answer["error"], -1));
             return answer["result"];
         }
     }
@@ -169,7 +169,8 @@ void Browser::open(const std::string& address, int width, int height) {
 Json Browser::value_of(const std::string& expression) {
     const Json answer =
         call("Runtime.evaluate", {{"expression", expression}, {"awaitPromise", true}, {"returnByValue", true}});
-    if (answer.contains("exceptionDetails")) fail(expression + ": " + answer["exceptionDetails"].dump());
+    if (answer.contains("exceptionDetails"))
+        fail(expression + ": " + demos::json_text(answer["exceptionDetails"], -1));
     return answer["result"].value("value", Json());
 }
 

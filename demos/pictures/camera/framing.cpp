@@ -44,7 +44,8 @@ View across(const View& view, const std::vector<Ball>& places) {
         const Eigen::Vector2d away = on_ground(ball.centre) - mean;
         spread += away * away.transpose();
     }
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(spread);
+    Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes;
+    axes.computeDirect(spread);  // a closed form: the iteration for any size takes seconds to compile
     const Vector3 out = view.eye - view.target;
     if (std::sqrt(axes.eigenvalues()[0]) >= one_way * std::sqrt(axes.eigenvalues()[1])) return view;
     Eigen::Vector2d aside = axes.eigenvectors().col(0);

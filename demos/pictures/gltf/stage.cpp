@@ -175,10 +175,10 @@ void add_sun(const renderer::Picture& picture, Document& document) {
     const Vector3 towards = to_eigen(picture.towards_sun).normalized();
     const Vector3 target = to_eigen(picture.camera.target);
     const double distance = (target - to_eigen(picture.camera.eye)).norm();
-    const int node = document.add_node(
-        {{"name", "sun"},
-         {"translation", json_of_vector(target + distance * towards)},
-         {"rotation", json_of_quaternion(Quaternion::FromTwoVectors(Vector3::UnitZ(), towards))}});
+    const int node =
+        document.add_node({{"name", "sun"},
+                           {"translation", json_of_vector(target + distance * towards)},
+                           {"rotation", json_of_quaternion(rotation_between(Vector3::UnitZ(), towards))}});
     // sun_light of assets/shaders/light.frag is what a white surface that faces the sun sends back; a diffuse one
     // sends back a pi-th of what it gets.
     document.add_sun(node, {1.0f, 0.94f, 0.84f}, 1.25 * std::numbers::pi);

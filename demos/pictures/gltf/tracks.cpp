@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numbers>
 
 namespace pushfactor::demos::pictures::gltf {
 
@@ -49,6 +50,17 @@ bool all_alike(std::span<const std::optional<Segment>> keys) {
 }
 
 }  // namespace
+
+Quaternion rotation_between(const Vector3& from, const Vector3& to) {
+    const Vector3 start = from.normalized(), end = to.normalized();
+    const double twice_cosine = (start + end).norm();  // of half the angle
+    // Opposite: half a turn about any axis across.
+    if (twice_cosine < 1e-12) return Quaternion(Eigen::AngleAxisd(std::numbers::pi, start.unitOrthogonal()));
+    Quaternion turn;
+    turn.w() = 0.5 * twice_cosine;
+    turn.vec() = start.cross(end) / twice_cosine;
+    return turn;
+}
 
 void Tracks::add(std::span<const Pose> poses, std::span<const Segment> segments, std::span<const Mark> marks) {
     poses_ = poses.size();
@@ -136,7 +148,7 @@ Stretched stretched(std::span<const std::optional<Segment>> keys, const Stretch&
         const Vector3 along = last.to - last.from;
         const double length = along.norm();
         if (length > 0.0) {
-            rotation = (Quaternion::FromTwoVectors(direction, along) * rotation).normalized();
+            rotation = (rotation_between(direction, along) * rotation).normalized();
             direction = along / length;
         }
         const bool from_start = how.origin == Stretch::Origin::start;

@@ -15,6 +15,9 @@ struct Pose {
     engine::Quaternion orientation = engine::Quaternion::Identity();
 };
 
+// The shortest rotation of `from` to the direction of `to`; neither is zero. Eigen's own takes seconds to compile.
+engine::Quaternion rotation_between(const engine::Vector3& from, const engine::Vector3& to);
+
 struct Segment {
     engine::Vector3 from = engine::Vector3::Zero(), to = engine::Vector3::Zero();  // m
 

@@ -34,7 +34,7 @@ const char* answer_of(const Work& work) {
     } catch (const std::exception& error) {
         json = {{"failed", error.what()}};
     }
-    answer = json.dump(-1, ' ', false, Json::error_handler_t::replace);
+    answer = json_text(json, -1);
     return answer.c_str();
 }
 
@@ -71,7 +71,7 @@ EMSCRIPTEN_KEEPALIVE const char* live_keep(const char* name, const char* text) {
 // the place of its meshes; the slot keeps its run if that is refused.
 EMSCRIPTEN_KEEPALIVE const char* live_open(int slot, const char* request) {
     return answer_of([&] {
-        const Json wish = Json::parse(request);
+        const Json wish = parse_json(request);
         auto run =
             std::make_unique<live::LiveRun>(wish["scene"].get<std::string>(), wish["options"].get<OptionTexts>());
         Json about = run->about();

@@ -62,7 +62,7 @@ Json shaders() {
 
 // For a script element, which ends at the first "</".
 std::string inline_json(const Json& json) {
-    std::string text = json.dump(-1, ' ', true, Json::error_handler_t::replace);
+    std::string text = json_text(json, -1, true);
     for (std::size_t at = text.find('<'); at != std::string::npos; at = text.find('<', at)) {
         text.replace(at, 1, "\\u003c");
     }

@@ -149,7 +149,7 @@ void Replay::write_head(const std::vector<ComparedRun>& panels) {
     for (std::size_t i = 0; i < panels.size(); ++i) {
         const Simulation& run = *tracks_[i].simulation;
         file_.write(data_block(fmt::format("data-part=\"stage\" data-run=\"{}\"", i),
-                               stage_of(panels[i], run).dump(-1, ' ', true, Json::error_handler_t::replace)));
+                               json_text(stage_of(panels[i], run), -1, true)));
         const std::string meshes = polyhedra_of(run);
         if (!meshes.empty()) {
             file_.write(data_block(fmt::format("data-part=\"meshes\" data-run=\"{}\"", i), meshes));

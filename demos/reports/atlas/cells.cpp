@@ -46,7 +46,7 @@ CellResult run_cell(const AtlasCell& cell, const std::function<void()>& check) {
         result.value = (measurements.*value)();
     } else {
         // The summary may have no such number, as a drift after 10 s in a shorter run.
-        const Json json = Json::parse(summary_text(choices, run, measurements));
+        const Json json = parse_json(summary_text(choices, run, measurements));
         const auto number = json.find(cell.map->measure.key);
         const bool has_number = number != json.end() && number->is_number();
         result.value = has_number ? number->get<double>() : std::numeric_limits<double>::quiet_NaN();

@@ -13,7 +13,6 @@ namespace pushfactor::demos::reports::error {
 namespace {
 
 using Bodies = std::vector<engine::Body>;
-using Check = std::function<void()>;
 
 struct Compared {
     std::string scene;
@@ -90,7 +89,7 @@ SceneDescription restarted(SceneDescription scene, const Bodies& bodies) {
 }
 
 // Up to a time since the start [s].
-void run_until(Simulation& run, const Rational& time, const Check& check) {
+void run_until(Simulation& run, const Rational& time, const std::function<void()>& check) {
     const Rational steps = time / run.settings().dt;
     play(run, [&](const Simulation& now) {
         check();
@@ -99,7 +98,7 @@ void run_until(Simulation& run, const Rational& time, const Check& check) {
 }
 
 Bodies after_window(const Plan& plan, const Compared& which, const Bodies& start, const Rational& dt,
-                    const Check& check) {
+                    const std::function<void()>& check) {
     Choices choices = choices_at(which, dt);
     choices.description = restarted(choices.description, start);
     Simulation run(choices);
@@ -108,7 +107,7 @@ Bodies after_window(const Plan& plan, const Compared& which, const Bodies& start
 }
 
 // Per step: its length [s], the error [m], the size of a movable body [m], and the order against twice the step.
-Table errors_of(const Plan& plan, const Compared& which, const Check& check) {
+Table errors_of(const Plan& plan, const Compared& which, const std::function<void()>& check) {
     Simulation fine(choices_at(which, plan.smallest));
     std::vector<Bodies> starts, ends;
     for (const Rational& start : plan.starts) {
@@ -143,7 +142,7 @@ Pieces consistency_pieces(bool quick) {
     const Plan plan(quick);
     Pieces pieces;
     for (const Compared& which : compared) {
-        pieces.push_back({key_of(plan, which), [plan, &which](const Check& check) {
+        pieces.push_back({key_of(plan, which), [plan, &which](const std::function<void()>& check) {
                               return Json(exact_rows(errors_of(plan, which, check)));
                           }});
     }

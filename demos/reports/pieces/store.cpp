@@ -49,7 +49,7 @@ std::optional<StoredPiece> PieceStore::find(const std::string& key) const {
     for (const fs::path& folder : folders_) {
         const auto text = read_bytes_of(place_of(folder, key));
         if (!text) continue;
-        Json json = Json::parse(*text, nullptr, false);
+        Json json = json_or_null(*text);
         const bool whole = json.is_object() && json.value("key", "") == key && json.contains("result") &&
                            json.value("made_with", "") == version_of_pieces();
         if (whole) return StoredPiece{json.value("machine", ""), std::move(json["result"])};

@@ -248,9 +248,9 @@ const std::vector<Field> fields{
 
 // The error message for `everything` with the text `value` at `pointer`; empty when it is accepted.
 std::string said_with(const std::string& pointer, const std::string& value) {
-    Json json = Json::parse(everything);
+    Json json = parse_json(everything);
     json[Json::json_pointer(pointer)] = "HERE";
-    std::string text = json.dump();
+    std::string text = json_text(json, -1);
     text.replace(text.find("\"HERE\""), 6, value);
     const Folder folder;
     folder.write("tetrahedron.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\n");

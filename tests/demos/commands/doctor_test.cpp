@@ -68,8 +68,8 @@ TEST_CASE("doctor names what to install where nothing is installed, and ends wit
 
     const Ended json = shell(folder, without + "pushfactor doctor --json");
     CHECK(json.status == 3);
-    CHECK(Json::parse(json.out).at("picture").at("ok") == false);
-    CHECK(Json::parse(json.out).at("font").at("ok") == true);
+    CHECK(parse_json(json.out).at("picture").at("ok") == false);
+    CHECK(parse_json(json.out).at("font").at("ok") == true);
 
     // What draws says the same.
     const Ended render = shell(folder, without + "pushfactor render stack --at 0");

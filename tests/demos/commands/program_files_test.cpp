@@ -9,6 +9,8 @@
 
 using namespace pushfactor::tests;
 using pushfactor::demos::Json;
+using pushfactor::demos::json_text;
+using pushfactor::demos::parse_json;
 
 namespace {
 
@@ -98,8 +100,8 @@ TEST_CASE("a preset of the command line wins over files that spell out their opt
         INFO(given);
         const std::string wanted = shell(folder, run + given).out;
         CHECK(shell(folder, "pushfactor run --config frames/config.json " + given).out == wanted);
-        Json of_catalogue = Json::parse(wanted);
-        Json of_file = Json::parse(shell(folder, "pushfactor run scene.json " + given).out);
+        Json of_catalogue = parse_json(wanted);
+        Json of_file = parse_json(shell(folder, "pushfactor run scene.json " + given).out);
         CHECK(of_file["state_hash"] == of_catalogue["state_hash"]);
         for (const char* parameter : {"count", "gap", "jitter", "seed"}) of_catalogue["options"].erase(parameter);
         CHECK(of_file["options"] == of_catalogue["options"]);
@@ -107,7 +109,7 @@ TEST_CASE("a preset of the command line wins over files that spell out their opt
     }
     // Without one on the command line the file's options hold.
     REQUIRE(shell(folder, "pushfactor scene stack --preset paper --beta 0.7 >paper.json").status == 0);
-    const Json kept = Json::parse(shell(folder, "pushfactor run paper.json --seconds 0.1").out);
+    const Json kept = parse_json(shell(folder, "pushfactor run paper.json --seconds 0.1").out);
     CHECK(kept["preset"] == "paper");
     CHECK(kept["options"]["beta"] == 0.7);
 }
@@ -116,7 +118,7 @@ TEST_CASE("a saved run that goes on under another preset is not started again") 
     const Folder folder;
     REQUIRE(shell(folder, "pushfactor run pendulum-wave --seconds 1 --save-state saved.json --summary -").status ==
             0);
-    const Json on = Json::parse(shell(folder, "pushfactor run saved.json --seconds 0.1 --preset exact").out);
+    const Json on = parse_json(shell(folder, "pushfactor run saved.json --seconds 0.1 --preset exact").out);
     CHECK(on["options"]["solver"] == "direct");
     CHECK(on["options"]["start-kick"] == "off");
 }
@@ -174,16 +176,16 @@ TEST_CASE("the integrator in files of earlier versions is the scheme, and euler 
     const std::string start = "pushfactor run chain --seconds 0.5";
     const std::string scheme = shell(folder, start + " --scheme rattle4").out;
     const std::string plain = shell(folder, start).out;
-    const auto hash = [](const std::string& summary) { return std::string(Json::parse(summary)["state_hash"]); };
+    const auto hash = [](const std::string& summary) { return std::string(parse_json(summary)["state_hash"]); };
     REQUIRE(hash(scheme) != hash(plain));
     REQUIRE(shell(folder, "pushfactor scene chain > chain.json").status == 0);
     for (const std::string name : {"rattle4", "euler"}) {
         const bool has_meaning = name == "rattle4";
         const std::string wanted = hash(has_meaning ? scheme : plain);
         folder.write("old.json", R"({"integrator": ")" + name + "\"}");
-        Json own = Json::parse(folder.read("chain.json"));
+        Json own = parse_json(folder.read("chain.json"));
         own["options"]["integrator"] = name;
-        folder.write("own.json", own.dump());
+        folder.write("own.json", json_text(own, -1));
         for (const std::string& command :
              {start + " --config old.json", std::string("pushfactor run own.json --seconds 0.5")}) {
             const Ended ended = shell(folder, command);

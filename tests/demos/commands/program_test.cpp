@@ -1,10 +1,9 @@
 // The program as seen by a user: its answers, and its messages for bad input.
 #include "tests/demos/program.h"
 
+#include "demos/text/json.h"
 #include "tests/catch.h"
 #include "tests/skip.h"
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <sstream>
@@ -216,7 +215,8 @@ TEST_CASE("FORMATS.md names every column of the CSV files and every key of a sum
         CHECK(columns > 10);
     }
     for (const char* const run : {"stack --timing", "funnel --restitution 0.5"}) {
-        const auto summary = nlohmann::json::parse(run_program("run --seconds 0.1 " + std::string(run)).out);
+        const auto summary =
+            pushfactor::demos::parse_json(run_program("run --seconds 0.1 " + std::string(run)).out);
         for (const auto& [key, value] : summary.items()) check_named(key);
         for (const char* const key : {"islands", "impacts", "at_rest", "substeps"}) {
             if (!summary.contains(key)) continue;

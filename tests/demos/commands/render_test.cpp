@@ -7,6 +7,7 @@
 
 using namespace pushfactor::tests;
 using pushfactor::demos::Json;
+using pushfactor::demos::parse_json;
 
 namespace {
 
@@ -126,7 +127,7 @@ TEST_CASE("stills end the run at the last instant that is asked for, and are tho
             render(folder, std::string("stack --camera scene --seconds 1000000 --csv steps.csv --at ") + at);
         INFO(at << ": " << ended.err);
         REQUIRE(ended.status == 0);
-        CHECK(Json::parse(folder.read("frames/summary.json"))["steps"] == steps);
+        CHECK(parse_json(folder.read("frames/summary.json"))["steps"] == steps);
         CHECK(lines_of(folder.read("steps.csv")).size() == static_cast<std::size_t>(1 + steps));
         const Folder whole;
         REQUIRE(render(whole, std::string("stack --camera scene --seconds 1 --at 0.5,1,") + at).status == 0);

@@ -22,7 +22,7 @@ TEST_CASE("the command that the page shows makes the same run, up to the same st
         const tests::Ended ended = shell(folder, run.command() + " --summary run.json");
         INFO(ended.err);
         REQUIRE(ended.status == 0);
-        const Json summary = Json::parse(folder.read("run.json"));
+        const Json summary = parse_json(folder.read("run.json"));
         CHECK(summary["state_hash"] == run.state_hash());
         CHECK(summary["steps"] == run.simulation().sample().step);
     };

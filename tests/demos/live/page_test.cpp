@@ -12,7 +12,9 @@
 using namespace pushfactor::tests;
 using pushfactor::demos::command_text;
 using pushfactor::demos::Json;
+using pushfactor::demos::json_text;
 using pushfactor::demos::OptionTexts;
+using pushfactor::demos::parse_json;
 
 namespace {
 
@@ -93,7 +95,7 @@ TEST_CASE(
         const std::string command = browser->value_of("pushfactor.commands")[i];
         INFO(command);
         REQUIRE(shell(folder, command + " --summary run.json").status == 0);
-        CHECK(Json::parse(folder.read("run.json"))["state_hash"] == browser->value_of("pushfactor.stateHashes")[i]);
+        CHECK(parse_json(folder.read("run.json"))["state_hash"] == browser->value_of("pushfactor.stateHashes")[i]);
     }
     // Another beta starts it anew, by itself, up to the instant of the figure.
     browser->value_of(
@@ -168,7 +170,7 @@ TEST_CASE("the page in a browser refuses in one line, and keeps what it shows") 
                         "data.items.add(new File([{}], '{}'));"
                         "document.dispatchEvent(new DragEvent('drop', {{dataTransfer: data, bubbles: true, "
                         "cancelable: true}})); }})()",
-                        Json(text).dump(), name));
+                        json_text(text, -1), name));
     };
     drop("mine.json", R"({"version": 1, "bodies": [{"name": "ball", "shape": "ball"}]})");
     CHECK(becomes(*browser, "document.getElementById('problem').textContent.startsWith('mine.json: ')"));

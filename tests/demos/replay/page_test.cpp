@@ -15,6 +15,7 @@
 
 using namespace pushfactor::tests;
 using pushfactor::demos::Json;
+using pushfactor::demos::parse_json;
 using pushfactor::renderer::Image;
 
 namespace {
@@ -175,7 +176,7 @@ TEST_CASE("a replay is driven by keys, pointer and address") {
     CHECK(text_of("time").find("frame ") != std::string::npos);
 
     // The state hash is the summary's.
-    const Json summary = Json::parse(folder.read("out/intersecting-stack/summary.json"));
+    const Json summary = parse_json(folder.read("out/intersecting-stack/summary.json"));
     for (const std::size_t run : {0u, 1u}) {
         CHECK(browser->value_of("pushfactor.stateHashes")[run] == summary["panels"][run]["state_hash"]);
     }

@@ -33,7 +33,7 @@ TEST_CASE("one command makes a table, maps and a page, a command of the table gi
         INFO(lines[number]);
         REQUIRE(row.size() == 9);
         REQUIRE(shell(folder, row[8] + " --summary again.json").status == 0);
-        const auto summary = pushfactor::demos::Json::parse(folder.read("again.json"));
+        const auto summary = pushfactor::demos::parse_json(folder.read("again.json"));
         CHECK(summary["outcome"] == row[5]);
         CHECK(summary[row[6]] == std::stod(row[7]));
     }
@@ -59,7 +59,7 @@ TEST_CASE("an interrupted atlas ends with status 1 and whole pieces, from which 
     CHECK(ended.err.find("the same command resumes from there") != std::string::npos);
     for (const std::string& file : folder.files()) {
         CHECK(file.starts_with("pieces/"));
-        CHECK_NOTHROW(pushfactor::demos::Json::parse(folder.read(file)));
+        CHECK_NOTHROW(pushfactor::demos::parse_json(folder.read(file)));
     }
     const auto count = folder.files().size();
     CHECK(shell(folder, quick_map).status == 0);

@@ -47,7 +47,7 @@ TEST_CASE("a map over a scene file has page, table and replays, and its commands
     const auto row = fields_of(lines[4]);
     REQUIRE(row.size() == 9);
     REQUIRE(shell(folder, row[8] + " --summary again.json").status == 0);
-    const auto summary = pushfactor::demos::Json::parse(folder.read("again.json"));
+    const auto summary = pushfactor::demos::parse_json(folder.read("again.json"));
     CHECK(summary["energy_final_j"] == std::stod(row[7]));
     CHECK(summary["outcome"] == row[5]);
 

@@ -49,7 +49,7 @@ double penetration_of(const SceneDescription& scene) {
 TEST_CASE("the scene files of the stability report say what its scenes are") {
     for (const auto& [name, scene] : scenes_with_files()) {
         INFO(name);
-        check_same(Json::parse(read_file(file_of(name))), Json::parse(scene_file_text(scene)));
+        check_same(parse_json(read_file(file_of(name))), parse_json(scene_file_text(scene)));
     }
 }
 

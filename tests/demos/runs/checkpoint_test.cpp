@@ -4,10 +4,9 @@
 #include "demos/options/named_run.h"
 #include "demos/runs/simulation.h"
 #include "demos/scenes/scene_file.h"
+#include "demos/text/json.h"
 #include "tests/catch.h"
 #include "tests/demos/program.h"
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 
@@ -36,7 +35,7 @@ Simulation saved_and_read(const Choices& choices, const Simulation& run) {
 
 std::string hash_after(const Folder& folder, const std::string& scene) {
     REQUIRE(shell(folder, "pushfactor run " + scene + " --seconds 1 --summary s.json").status == 0);
-    return nlohmann::json::parse(folder.read("s.json")).at("state_hash");
+    return parse_json(folder.read("s.json")).at("state_hash");
 }
 
 struct Case {

@@ -140,7 +140,7 @@ TEST_CASE("where no step is within the measured time, nothing is compared, and a
     const Folder folder;
     require_success(folder, "pushfactor run stack --seconds 0.1 --trajectory own.csv > plain.json");
     const Ended ended = shell(folder, "pushfactor run stack --seconds 0 --measured own.csv");
-    const Json measured = Json::parse(ended.out)["measured"];
+    const Json measured = parse_json(ended.out)["measured"];
     CHECK(measured["compared"] == 0);
     CHECK(measured["distance_m_mean"].is_null());
     CHECK(measured["angle_deg_largest"].is_null());

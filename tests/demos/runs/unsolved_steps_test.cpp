@@ -77,7 +77,7 @@ TEST_CASE("a run that its solver cannot finish counts the steps, names the first
     CHECK(count < 180);  // the balls fall freely first
     for (std::size_t i = 0; i < unsolved.size(); ++i) CHECK((unsolved[i] > 0.0) == (residuals[i] > 1e-8));
 
-    const Json summary = Json::parse(folder.read("s.json"));
+    const Json summary = parse_json(folder.read("s.json"));
     CHECK(summary["unsolved_steps"] == count);
     CHECK(summary["first_unsolved_step"] == first + 1);
     CHECK(summary["contradicting_steps"] == 0);
@@ -96,7 +96,7 @@ TEST_CASE("a run that its solver cannot finish counts the steps, names the first
 TEST_CASE("a run that is solved says nothing and counts nothing") {
     const Ended ended = run_program("run stack --preset exact --seconds 3");
     CHECK(ended.err.empty());
-    const Json summary = Json::parse(ended.out);
+    const Json summary = parse_json(ended.out);
     CHECK(summary["unsolved_steps"] == 0);
     CHECK(summary["first_unsolved_step"].is_null());
     CHECK(summary["contradicting_steps"] == 0);
@@ -107,7 +107,7 @@ TEST_CASE("a run that is solved says nothing and counts nothing") {
 TEST_CASE("where there is no tolerance nothing is called unsolved, and the worst residual is reported") {
     const Ended ended = run_program("run stack --preset paper --seconds 3");
     CHECK(ended.err.empty());
-    const Json summary = Json::parse(ended.out);
+    const Json summary = parse_json(ended.out);
     CHECK(summary["unsolved_steps"] == 0);
     CHECK(summary["residual_m_per_s_worst"] > 0.01);
 }
@@ -118,7 +118,7 @@ TEST_CASE("bars that contradict each other are counted and named, and not those 
     const Ended ended =
         shell(folder, "pushfactor run my.json --preset exact --seconds 1 --csv steps.csv --summary s.json");
     REQUIRE(ended.status == 0);
-    const Json summary = Json::parse(folder.read("s.json"));
+    const Json summary = parse_json(folder.read("s.json"));
     CHECK(summary["contradicting_steps"] == 60);
     CHECK(summary["unsolved_steps"] == 60);
     for (const double islands : column_of(folder.read("steps.csv"), "islands_unsolved")) CHECK(islands == 1);
@@ -191,7 +191,7 @@ TEST_CASE("compared runs are named by what tells them apart, and each says its o
                line.starts_with("pushfactor: warning: hanging, tolerance 0: rows contradict");
     }));
     CHECK_THAT(ended.err, Catch::Contains("hanging, tolerance 1e-9: 30 of 30 steps are not solved to 1e-09 m/s"));
-    const Json summary = Json::parse(folder.read("frames/summary.json"));
+    const Json summary = parse_json(folder.read("frames/summary.json"));
     CHECK(summary["panels"][0]["unsolved_steps"] == 0);
     CHECK(summary["panels"][1]["unsolved_steps"] == 30);
 }

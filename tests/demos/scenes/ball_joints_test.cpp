@@ -104,7 +104,7 @@ TEST_CASE("a run of joints and bars that is saved and read goes on bit for bit, 
         for (int i = 0; i < 40; ++i) whole.advance();
         const SceneDescription saved = resumed(read(text), whole.scene(), whole.checkpoint());
         Simulation again(build_scene(read(scene_file_text(saved)), settings), settings);
-        const Json json = Json::parse(scene_file_text(saved));
+        const Json json = parse_json(scene_file_text(saved));
         CHECK(json["state"]["distance_forces_n"][0].size() == 3);
         CHECK(json["state"]["distance_forces_n"][1][0].is_number());
         for (int i = 0; i < 40; ++i) {

@@ -1,6 +1,7 @@
 // Closed loops of hinges and welds, whose rows say the same thing more than once.
 #include "demos/runs/measurements.h"
 #include "tests/catch.h"
+#include "tests/dense_algebra.h"
 #include "tests/random.h"
 #include "tests/scene_fixture.h"
 #include "tests/settings.h"
@@ -125,10 +126,8 @@ Eigen::VectorXd least_forces(const engine::World& world, std::span<const engine:
     }
     const Eigen::MatrixXd a = weighted * jacobian.transpose();
     const Eigen::VectorXd unit = a.diagonal().cwiseSqrt().cwiseInverse();
-    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> inverse;
-    inverse.setThreshold(1e-4);
-    inverse.compute(unit.asDiagonal() * a * unit.asDiagonal());
-    return -(unit.asDiagonal() * inverse.solve(unit.asDiagonal() * asked));
+    return -(unit.asDiagonal() *
+             tests::least_solution(unit.asDiagonal() * a * unit.asDiagonal(), unit.asDiagonal() * asked, 1e-4));
 }
 
 }  // namespace

@@ -158,7 +158,7 @@ TEST_CASE("a saved run with hinges, motors and limits goes on to the same bits, 
             const SceneDescription saved = resumed(scene, whole.scene(), whole.checkpoint());
             const std::string text = scene_file_text(saved);
             CHECK(scene_file_text(read(text)) == text);
-            const Json json = Json::parse(text);
+            const Json json = parse_json(text);
             CHECK(json["state"]["joint_forces_n"].size() == 2);
             CHECK(json["joints"][1].contains("zero_wxyz"));
             Simulation again(build_scene(read(text), settings), settings);

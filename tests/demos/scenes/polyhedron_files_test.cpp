@@ -4,12 +4,11 @@
 #include "demos/runs/simulation.h"
 #include "demos/scenes/scene_file.h"
 #include "demos/text/errors.h"
+#include "demos/text/json.h"
 #include "tests/catch.h"
 #include "tests/demos/program.h"
 #include "tests/engine/collision/hulls.h"
 #include "tests/settings.h"
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 
@@ -56,20 +55,19 @@ struct FrameOfFile {
     Vector3 shift = Vector3::Zero();
     bool is_polyhedron = false;
 
-    static nlohmann::json numbers(const Vector3& v) { return {v.x(), v.y(), v.z()}; }
-    static nlohmann::json numbers(const engine::Quaternion& q) { return {q.w(), q.x(), q.y(), q.z()}; }
+    static Json numbers(const Vector3& v) { return {v.x(), v.y(), v.z()}; }
+    static Json numbers(const engine::Quaternion& q) { return {q.w(), q.x(), q.y(), q.z()}; }
 
-    nlohmann::json point(const Vector3& of_box) const { return numbers(Vector3(turn * of_box + shift)); }
-    nlohmann::json direction(const Vector3& of_box) const { return numbers(Vector3(turn * of_box)); }
+    Json point(const Vector3& of_box) const { return numbers(Vector3(turn * of_box + shift)); }
+    Json direction(const Vector3& of_box) const { return numbers(Vector3(turn * of_box)); }
     engine::Quaternion turned(const engine::Quaternion& box) const { return box * turn.conjugate(); }
 
-    nlohmann::json place(const Vector3& position, const engine::Quaternion& orientation) const {
+    Json place(const Vector3& position, const engine::Quaternion& orientation) const {
         const engine::Quaternion own = turned(orientation);
         return {{"position_m", numbers(Vector3(position - own * shift))}, {"orientation_wxyz", numbers(own)}};
     }
-    nlohmann::json body(const std::string& name, const Vector3& position,
-                        const engine::Quaternion& orientation) const {
-        nlohmann::json json = place(position, orientation);
+    Json body(const std::string& name, const Vector3& position, const engine::Quaternion& orientation) const {
+        Json json = place(position, orientation);
         json["name"] = name;
         if (!is_polyhedron) {
             json["shape"] = "box";
@@ -87,15 +85,15 @@ struct FrameOfFile {
 std::string hanging_boxes(const FrameOfFile& frame) {
     const engine::Quaternion straight = engine::Quaternion::Identity();
     const engine::Quaternion aslant(Eigen::AngleAxisd(0.7, Vector3(1, 2, 3).normalized()));
-    nlohmann::json top = frame.body("top", {0, 5, 0}, aslant);
+    Json top = frame.body("top", {0, 5, 0}, aslant);
     top["static"] = true;
     top["motion"]["poses"] = {frame.place({0.5, 5, 0}, straight), frame.place({0, 5.5, 0.5}, aslant)};
     top["motion"]["poses"][0]["time_s"] = 0.5;
     top["motion"]["poses"][1]["time_s"] = 1.2;
-    nlohmann::json middle = frame.body("middle", {0, 4, 0}, straight), low = frame.body("low", {0, 3, 0}, aslant);
+    Json middle = frame.body("middle", {0, 4, 0}, straight), low = frame.body("low", {0, 3, 0}, aslant);
     middle["mass_kg"] = 2;
     low["mass_kg"] = 1;
-    nlohmann::json scene{{"version", 1}, {"bodies", {top, middle, low}}};
+    Json scene{{"version", 1}, {"bodies", {top, middle, low}}};
     const Vector3 over(0.1, 0.5, 0.2);  // from the middle to the hinge
     const Vector3 of_top = aslant.conjugate() * Vector3(0.1, -0.5, 0.2);
     scene["joints"] = {
@@ -112,7 +110,7 @@ std::string hanging_boxes(const FrameOfFile& frame) {
                         {"force_n", frame.direction({3, 0, 1})},
                         {"point_m", frame.point({0.5, 0, 0})},
                         {"torque_n_m", frame.direction({0, 0.5, 0})}}};
-    return scene.dump();
+    return json_text(scene, -1);
 }
 
 // World places of the eight corners of each body after some steps, in any order.

@@ -43,7 +43,7 @@ TEST_CASE("a built-in scene and its file run to the same state, options included
         const std::string from_file = tests::shell(folder, "pushfactor run my.json").out;
         CHECK(hash_in(built_in).size() == 32);
         CHECK(hash_in(from_file) == hash_in(built_in));
-        const Json own = Json::parse(built_in), of_file = Json::parse(from_file);
+        const Json own = parse_json(built_in), of_file = parse_json(from_file);
         for (const char* const key : {"outcome", "lean_time_s", "fall_time_s", "heights_m"}) {
             INFO(name << " " << key);
             CHECK(own.value(key, Json()) == of_file.value(key, Json()));
@@ -80,7 +80,7 @@ TEST_CASE("the worked examples run and stay finite") {
 
 TEST_CASE("the schema knows the keys that the reader knows, and no other") {
     const Json schema =
-        Json::parse(tests::read_file(std::string(PUSHFACTOR_SOURCE_DIR) + "/assets/scenes/scene.schema.json"));
+        parse_json(tests::read_file(std::string(PUSHFACTOR_SOURCE_DIR) + "/assets/scenes/scene.schema.json"));
     for (const auto& [part, keys] : scene_file_keys()) {
         const Json& object = part == "scene" ? schema : schema["$defs"][part];
         std::vector<std::string> in_schema;
@@ -248,11 +248,11 @@ TEST_CASE("a stack that falls has fallen, from its name, its file and its saved 
     const Folder folder;
     const std::string run = " --preset paper --seconds 71";
     REQUIRE(tests::shell(folder, "pushfactor scene stack" + run + " > my.json").status == 0);
-    const Json own = Json::parse(tests::shell(folder, "pushfactor run stack" + run).out);
+    const Json own = parse_json(tests::shell(folder, "pushfactor run stack" + run).out);
     REQUIRE(own["outcome"] == "fall");
-    const Json of_file = Json::parse(tests::shell(folder, "pushfactor run my.json").out);
+    const Json of_file = parse_json(tests::shell(folder, "pushfactor run my.json").out);
     REQUIRE(tests::shell(folder, "pushfactor run my.json --seconds 60 --save-state state.json").status == 0);
-    const Json resumed = Json::parse(tests::shell(folder, "pushfactor run state.json --seconds 11").out);
+    const Json resumed = parse_json(tests::shell(folder, "pushfactor run state.json --seconds 11").out);
     for (const char* const key : {"outcome", "heights_m"}) {
         CHECK(of_file[key] == own[key]);
         CHECK(resumed[key] == own[key]);

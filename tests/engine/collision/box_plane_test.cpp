@@ -1,7 +1,7 @@
 #include "engine/collision/pairs/collide.h"
 #include "tests/catch.h"
+#include "tests/dense_algebra.h"
 #include "tests/engine/collision/pose.h"
-#include "tests/engine/dense_algebra.h"
 
 #include <numbers>
 

@@ -1,6 +1,7 @@
 #include "engine/collision/pairs/collide.h"
 #include "engine/collision/pairs/pairs.h"
 #include "tests/catch.h"
+#include "tests/dense_algebra.h"
 #include "tests/engine/collision/hulls.h"
 #include "tests/engine/collision/kept.h"
 #include "tests/engine/collision/pose.h"
@@ -19,6 +20,7 @@ using pushfactor::tests::Points;
 using pushfactor::tests::polyhedron_of;
 using pushfactor::tests::Random;
 using pushfactor::tests::random_points;
+using pushfactor::tests::rotation_between;
 
 namespace {
 
@@ -284,7 +286,7 @@ TEST_CASE("what a rounded polyhedron lies on comes before what is farther out an
     for (const HullFace& face : hull.faces) {
         if (face.count > lowest->count) lowest = &face;
     }
-    const Quaternion turn = Quaternion::FromTwoVectors(lowest->normal, -Vector3::UnitY());
+    const Quaternion turn = rotation_between(lowest->normal, -Vector3::UnitY());
     Manifold manifold = collided(ball, at({0, lowest->offset - 1e-4, 0}, turn), Plane{}, at({0, 0, 0}), 0.05);
     CHECK(manifold.count > 4);
     keep_four(manifold);

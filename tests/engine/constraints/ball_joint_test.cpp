@@ -4,7 +4,7 @@
 #include "engine/forces/gravity.h"
 #include "engine/rattle.h"
 #include "tests/catch.h"
-#include "tests/engine/dense_algebra.h"
+#include "tests/dense_algebra.h"
 #include "tests/engine/rows.h"
 #include "tests/random.h"
 

@@ -17,7 +17,7 @@ namespace pushfactor::tests {
 
 using namespace engine;
 
-inline constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 inline const Vector3 gravity(0, -10, 0);
 inline constexpr Correction whole{PushKind::persistent, 1.0};
 

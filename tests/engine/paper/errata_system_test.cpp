@@ -1,7 +1,7 @@
 // Errata of paper sections 6, 7, 9, 10 and 12.3: the printed version and the right one.
 #include "engine/constraints/contact_row.h"
 #include "tests/catch.h"
-#include "tests/engine/dense_algebra.h"
+#include "tests/dense_algebra.h"
 #include "tests/engine/paper/literal.h"
 #include "tests/engine/random_rows.h"
 #include "tests/engine/solvers/problems.h"

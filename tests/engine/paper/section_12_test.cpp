@@ -9,7 +9,7 @@
 #include "engine/constraints/distance_constraints.h"
 #include "engine/solvers/solver.h"
 #include "tests/catch.h"
-#include "tests/engine/dense_algebra.h"
+#include "tests/dense_algebra.h"
 #include "tests/engine/paper/whole_system.h"
 #include "tests/engine/rows.h"
 #include "tests/random.h"

@@ -1,6 +1,6 @@
 #include "tests/engine/paper/whole_system.h"
 
-#include "tests/engine/dense_algebra.h"
+#include "tests/dense_algebra.h"
 #include "tests/engine/rows.h"
 #include "tests/random.h"
 

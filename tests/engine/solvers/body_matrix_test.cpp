@@ -2,7 +2,7 @@
 #include "engine/solvers/exact/body_matrix.h"
 
 #include "tests/catch.h"
-#include "tests/engine/dense_algebra.h"
+#include "tests/dense_algebra.h"
 #include "tests/random.h"
 
 using namespace pushfactor;

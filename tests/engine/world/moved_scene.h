@@ -13,7 +13,7 @@ namespace pushfactor::tests {
 using namespace engine;
 
 inline constexpr double g = 10.0;
-inline constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 inline Place place_of(const Body& body) {
     return {body.position, body.orientation};

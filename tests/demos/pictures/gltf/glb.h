@@ -37,7 +37,7 @@ struct Glb {
         const auto length = number_at<std::uint32_t>(file, 12);
         REQUIRE(length % 4 == 0);
         REQUIRE(file.substr(16, 4) == "JSON");
-        json = Json::parse(file.substr(20, length));
+        json = demos::parse_json(file.substr(20, length));
         const std::size_t at = 20 + length;
         const auto binary_length = number_at<std::uint32_t>(file, at);
         REQUIRE(binary_length % 4 == 0);

@@ -92,7 +92,7 @@ TEST_CASE("the validator of Khronos finds nothing in glTF files") {
         const Ended ended = shell(folder, command + "a.glb");
         INFO(ended.out << ended.err);
         REQUIRE(ended.status == 0);
-        const Json issues = Json::parse(ended.out)["issues"];
+        const Json issues = parse_json(ended.out)["issues"];
         for (const char* const kind : {"numErrors", "numWarnings", "numInfos", "numHints"})
             CHECK(issues[kind] == 0);
     }

@@ -13,6 +13,10 @@ Eigen::Index rank(const engine::MatrixX& matrix);
 // x with A x = b for an invertible A, by elimination with full pivoting.
 engine::VectorX solution(const engine::MatrixX& A, const engine::VectorX& b);
 
+// Of least norm among the best solutions of A x = b, for a symmetric A whose pivots below `threshold` times the
+// largest count as zero.
+engine::VectorX least_solution(const engine::MatrixX& A, const engine::VectorX& b, double threshold);
+
 // The shortest rotation of `from` to the direction of `to`; neither is zero.
 engine::Quaternion rotation_between(const engine::Vector3& from, const engine::Vector3& to);
 

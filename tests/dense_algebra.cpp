@@ -1,4 +1,4 @@
-#include "tests/engine/dense_algebra.h"
+#include "tests/dense_algebra.h"
 
 #include <Eigen/Dense>
 
@@ -25,6 +25,13 @@ Eigen::Index rank(const MatrixX& matrix) {
 
 VectorX solution(const MatrixX& A, const VectorX& b) {
     return A.fullPivLu().solve(b);
+}
+
+VectorX least_solution(const MatrixX& A, const VectorX& b, double threshold) {
+    Eigen::CompleteOrthogonalDecomposition<MatrixX> inverse;
+    inverse.setThreshold(threshold);
+    inverse.compute(A);
+    return inverse.solve(b);
 }
 
 engine::Quaternion rotation_between(const engine::Vector3& from, const engine::Vector3& to) {
