@@ -1,6 +1,6 @@
 # Energy that a wall gains over the sweeps per step, for four ways to push overlaps apart.
 load style
-set xrange [2:34]
+set xrange [2:26]
 set yrange [-0.5:*]
 set xlabel 'sweeps in a step of 1/60 s'
 set ylabel 'largest rise of energy [J]'

@@ -21,12 +21,12 @@ constexpr std::array ways{Way{"none_j", engine::PushKind::none, false},
                           Way{"persistent_j", engine::PushKind::persistent, false},
                           Way{"single_frame_j", engine::PushKind::single_frame, false},
                           Way{"apart_j", engine::PushKind::single_frame, true}};
-constexpr std::array sweeps{4, 6, 8, 10, 12, 14, 16, 18, 20, 24, 28, 32};  // per step
-constexpr std::size_t shown = 6;                                           // index of the one in the caption
+constexpr std::array sweeps{4, 6, 8, 10, 12, 14, 16, 20, 24};  // per step
+constexpr std::size_t shown = 2;                               // index of the one in the caption
 constexpr double seconds = 2.0;
 
 SceneDescription wall() {
-    const families::Choice choice{.given = {{"rows", "16"}, {"columns", "12"}, {"gap", "0"}, {"friction", "0.5"}}};
+    const families::Choice choice{.given = {{"rows", "12"}, {"columns", "6"}, {"gap", "0"}, {"friction", "0.5"}}};
     return draw_member(*families::find_family("wall"), choice).prospect.scene;
 }
 
@@ -72,8 +72,8 @@ SectionContent push_pump(FigureOutput& output, const Figure& figure) {
     return output.plot(
         figure, table, 1.6,
         {.caption = caption,
-         .commands = {"pushfactor family wall --rows 16 --columns 12 --gap 0 --friction 0.5 > wall.json",
-                      "pushfactor run wall.json --scheme whole --solver pgs --iterations 16 --seconds 2"}});
+         .commands = {"pushfactor family wall --rows 12 --columns 6 --gap 0 --friction 0.5 > wall.json",
+                      "pushfactor run wall.json --scheme whole --solver pgs --iterations 8 --seconds 2"}});
 }
 
 }  // namespace pushfactor::demos::figures
