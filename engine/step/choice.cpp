@@ -33,6 +33,16 @@ bool stands(double dt, std::span<const Body> bodies, const Island& island) {
     return count_moving(dt, bodies, island) == 0;
 }
 
+// Whether a body is fast enough to go on with what a residual [m/s] moves.
+bool goes_on(double residual, std::span<const Body> bodies, const Island& island) {
+    return std::any_of(island.bodies.begin(), island.bodies.end(), [&](int body) {
+        const Body& own = bodies[static_cast<std::size_t>(body)];
+        const double turning = own.inverse_inertia.maxCoeff() * own.angular_momentum.squaredNorm();
+        const double energies = own.inverse_mass * own.linear_momentum.squaredNorm() + turning;  // twice, J
+        return std::sqrt(own.inverse_mass * energies) >= as_fast * residual;
+    });
+}
+
 }  // namespace
 
 bool divides(const Island& island) {
@@ -65,13 +75,7 @@ SmallStepDivision division_of(double dt, std::span<const Body> bodies, const Isl
 bool will_do(double residual, const solvers::Termination& usual, std::span<const Body> bodies,
              const Island& island) {
     if (residual <= at_rest * usual.tolerance_low) return true;
-    return residual <= usual.tolerance_high &&
-           std::any_of(island.bodies.begin(), island.bodies.end(), [&](int body) {
-               const Body& own = bodies[static_cast<std::size_t>(body)];
-               const double turning = own.inverse_inertia.maxCoeff() * own.angular_momentum.squaredNorm();
-               const double energies = own.inverse_mass * own.linear_momentum.squaredNorm() + turning;  // twice, J
-               return std::sqrt(own.inverse_mass * energies) >= as_fast * residual;
-           });
+    return residual <= usual.tolerance_high && goes_on(residual, bodies, island);
 }
 
 double good_residual(double dt, std::span<const Body> bodies, const Island& island) {
@@ -82,7 +86,9 @@ Worth worth_of(double dt, std::span<const Body> bodies, const Island& island, st
                bool has_forces, bool divided) {
     const bool standing = stands(dt, bodies, island), limited = island.has(RowDigest::limited);
     const double near_one = near * speed_by_forces(dt, bodies, island);
-    const bool lasts = standing && (!has_forces || residuals.back() <= near_one);
+    // Neither speeds nor pushes move it, but forces of the step that stopped it: what it stands on is found now.
+    const bool is_still = island.columns == 1 && !goes_on(residuals.back(), bodies, island);
+    const bool lasts = standing && (!has_forces || residuals.back() <= near_one || is_still);
     const int steps = division_of(dt, bodies, island).steps;
     const double ratio = mass_ratio(bodies, island);
     const double sweeps = sweeps_of_a_step * steps * ratio;
