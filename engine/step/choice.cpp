@@ -33,14 +33,16 @@ bool stands(double dt, std::span<const Body> bodies, const Island& island) {
     return count_moving(dt, bodies, island) == 0;
 }
 
-// Whether a body is fast enough to go on with what a residual [m/s] moves.
-bool goes_on(double residual, std::span<const Body> bodies, const Island& island) {
-    return std::any_of(island.bodies.begin(), island.bodies.end(), [&](int body) {
+// Largest speed of a body whose whole kinetic energy were that of its mass centre [m/s].
+double fastest(std::span<const Body> bodies, const Island& island) {
+    double most = 0.0;
+    for (const int body : island.bodies) {
         const Body& own = bodies[static_cast<std::size_t>(body)];
         const double turning = own.inverse_inertia.maxCoeff() * own.angular_momentum.squaredNorm();
         const double energies = own.inverse_mass * own.linear_momentum.squaredNorm() + turning;  // twice, J
-        return std::sqrt(own.inverse_mass * energies) >= as_fast * residual;
-    });
+        most = std::max(most, own.inverse_mass * energies);
+    }
+    return std::sqrt(most);
 }
 
 }  // namespace
@@ -75,7 +77,7 @@ SmallStepDivision division_of(double dt, std::span<const Body> bodies, const Isl
 bool will_do(double residual, const solvers::Termination& usual, std::span<const Body> bodies,
              const Island& island) {
     if (residual <= at_rest * usual.tolerance_low) return true;
-    return residual <= usual.tolerance_high && goes_on(residual, bodies, island);
+    return residual <= usual.tolerance_high && fastest(bodies, island) >= as_fast * residual;
 }
 
 double good_residual(double dt, std::span<const Body> bodies, const Island& island) {
@@ -86,9 +88,11 @@ Worth worth_of(double dt, std::span<const Body> bodies, const Island& island, st
                bool has_forces, bool divided) {
     const bool standing = stands(dt, bodies, island), limited = island.has(RowDigest::limited);
     const double near_one = near * speed_by_forces(dt, bodies, island);
-    // Neither speeds nor pushes move it, but forces of the step that stopped it: what it stands on is found now.
-    const bool is_still = island.columns == 1 && !goes_on(residuals.back(), bodies, island);
-    const bool lasts = standing && (!has_forces || residuals.back() <= near_one || is_still);
+    // What it stands on changes with what moves: forces that are nearly right stay so where speeds are as small as
+    // they are wrong. Where neither speeds nor pushes move anything, they are those of the step that stopped it.
+    const double residual = residuals.back(), speed = fastest(bodies, island);
+    const bool is_still = island.columns == 1 && speed < as_fast * residual;
+    const bool lasts = standing && (!has_forces || is_still || std::max(residual, speed) <= near_one);
     const int steps = division_of(dt, bodies, island).steps;
     const double ratio = mass_ratio(bodies, island);
     const double sweeps = sweeps_of_a_step * steps * ratio;
