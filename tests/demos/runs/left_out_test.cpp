@@ -80,6 +80,26 @@ TEST_CASE("the pendulum wave has one force source, one constraint source, bars a
     }
 }
 
+// The forces that stop it are not those that carry it: they are found in the step after. Before, small steps took
+// that one and set the heap in motion again, seven times within a second.
+TEST_CASE("a heap that has come to rest is not solved again in most steps that follow") {
+    auto heap = simulate("funnel", tests::awake_settings("default"), {{"count", "200"}});
+    advance(heap, 1.0);
+    const auto is_found = [&] {
+        const engine::StepCount& count = heap.advance().count;
+        return count.islands == 1 && count.islands_exact == 1;
+    };
+    while (!is_found()) REQUIRE(heap.sample().time < 6.0);  // measured 2.1 s
+    int found = 0, kept = 0;
+    for (int i = 0; i < 120; ++i) {
+        const engine::StepCount& count = heap.advance().count;
+        found += count.islands_exact;
+        kept += count.islands_kept;
+    }
+    CHECK(found <= 10);  // measured 6: as rounding grows by a fifth in each step, they are found again
+    CHECK(found + kept == 120);
+}
+
 TEST_CASE("without friction there is no rule, and no friction row") {
     Settings settings = tests::awake_settings("default");
     auto rough = simulate("funnel", settings);
