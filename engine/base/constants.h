@@ -126,8 +126,8 @@ inline constexpr double of_a_body = 4e5, of_a_body_on_bars = 2e4;
 // see that no row changes its state; else most islands take so many. One that lasts may take more, as it is not
 // repeated: walls of bricks that touch their neighbours take 24.
 inline constexpr double when_near = 2.0, from_afar = 10.0, at_worst = 25.0;
-// Residuals, and speeds of bodies, up to which forces are nearly right and stay so, and residuals up to which they are as
-// good as right, over the speed that the external forces of a step cause.
+// Residuals, and speeds of bodies, up to which forces are nearly right and stay so, and residuals up to which they
+// are as good as right, over the speed that the external forces of a step cause.
 inline constexpr double near = 1e-3, good = 1e-6;
 // Share of the lower tolerance up to which a guess leaves what stands where it is. A body goes on with what moves
 // it if it is as fast as that share of the residual.

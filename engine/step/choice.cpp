@@ -90,9 +90,11 @@ Worth worth_of(double dt, std::span<const Body> bodies, const Island& island, st
     const double near_one = near * speed_by_forces(dt, bodies, island);
     // What it stands on changes with what moves: forces that are nearly right stay so where speeds are as small as
     // they are wrong. Where neither speeds nor pushes move anything, they are those of the step that stopped it.
-    const double residual = residuals.back(), speed = fastest(bodies, island);
-    const bool is_still = island.columns == 1 && speed < as_fast * residual;
-    const bool lasts = standing && (!has_forces || is_still || std::max(residual, speed) <= near_one);
+    const auto stays = [&] {
+        const double residual = residuals.back(), speed = fastest(bodies, island);
+        return std::max(residual, speed) <= near_one || (island.columns == 1 && speed < as_fast * residual);
+    };
+    const bool lasts = standing && (!has_forces || stays());
     const int steps = division_of(dt, bodies, island).steps;
     const double ratio = mass_ratio(bodies, island);
     const double sweeps = sweeps_of_a_step * steps * ratio;
