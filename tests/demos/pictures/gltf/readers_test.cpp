@@ -82,11 +82,9 @@ TEST_CASE("the validator of Khronos finds nothing in glTF files") {
     } else {
         return skip("the validator is not installed (npm install -g gltf-validator)");
     }
-    const std::string scenes = std::string(PUSHFACTOR_SOURCE_DIR) + "/assets/scenes/";
-    for (const std::string& run :
-         {std::string("stack --overlay forces,thrust --camera orbit:30"),
-          std::string("pendulum-grid --overlay push"), std::string("platonic --overlay contacts,velocities"),
-          scenes + "rover.json --overlay forces"}) {
+    for (const std::string run : {"stack --overlay forces,thrust --camera orbit:30", "pendulum-grid --overlay push",
+                                  "platonic --overlay contacts,velocities",
+                                  PUSHFACTOR_SOURCE_DIR "/assets/scenes/rover.json --overlay forces"}) {
         INFO(run);
         REQUIRE(shell(folder, "pushfactor run " + run + " --seconds 1 --glb a.glb").status == 0);
         const Ended ended = shell(folder, command + "a.glb");
