@@ -1,5 +1,6 @@
 #include "engine/step/island_solver.h"
 
+#include "engine/base/constants.h"
 #include "engine/step/choice.h"
 
 #include <algorithm>
@@ -70,6 +71,19 @@ void shift_targets(const Island& island, const Columns& lambda, double factor, S
     });
 }
 
+// Of an overlap, small steps of `h` [s] leave what its load compresses it by (find_left() in aim.h). A solution of
+// the whole step leaves as much: else what rests after small steps would be solved again for ever.
+void leave_compressed(const Island& island, const Columns& lambda, double h, SystemEquation& system) {
+    const Eigen::Index last = lambda.cols() - 1;
+    each_force(island.runs, 1, [&](Eigen::Index j, Eigen::Index) {
+        const ConstraintRow& row = system.rows[static_cast<std::size_t>(j)];
+        if (row.bounds.c_min < 0.0 || !holds_a_place(row) || !(row.push.correcting > 0.0)) return;
+        const double compressed = system.diagonal[j] * lambda(j, last) * h * h / constants::small_steps::stiffness;
+        const double left = row.push.correcting - std::max(0.0, -row.error - compressed) / system.dt;
+        if (left > 0.0) system.b(j, 0) -= left / system.dt;
+    });
+}
+
 bool has_loops(const SystemEquation& system, const Island& island) {
     if (!island.has(RowDigest::joins) || !island.has(RowDigest::soft)) return false;
     return std::any_of(island.runs.begin(), island.runs.end(), [&](const RowRun& run) {
@@ -110,6 +124,10 @@ solvers::SolveCount IslandSolver::solve(Bench& bench, const solvers::Termination
         return count;
     }
     solvers::SolveCount count;
+    if (divides && island.columns == 2) {
+        const SmallSteps::Division division = bench.small_steps->division_of(system.dt, bodies, island);
+        leave_compressed(island, lambda, system.dt / division.steps, system);
+    }
     const bool loops = has_loops(system, island);
     if (loops) shift_targets(island, lambda, 1.0, system);  // the last forces were found with targets like these
     outcome.residuals = measure(system, island, lambda, forces, bench);

@@ -100,6 +100,16 @@ TEST_CASE("a heap that has come to rest is not solved again in most steps that f
     CHECK(found + kept == 120);
 }
 
+TEST_CASE("a heap whose load compresses it by more than the slop is not solved again once it rests") {
+    Settings settings = tests::awake_settings("default");
+    settings.slop = 1e-4;
+    auto heap = simulate("funnel", settings, {{"count", "200"}});
+    advance(heap, 8.0);
+    int kept = 0;
+    for (int i = 0; i < 60; ++i) kept += heap.advance().count.islands_in_small_steps == 0;
+    CHECK(kept == 60);
+}
+
 TEST_CASE("without friction there is no rule, and no friction row") {
     Settings settings = tests::awake_settings("default");
     auto rough = simulate("funnel", settings);
