@@ -86,6 +86,7 @@ std::vector<Case> pile_cases() {
         falls("funnel-2000", "2000 balls fall into a funnel, friction 0.3, 3 s", "funnel --count 2000", 3),
         falls("funnel-2000-rough", "The same with friction 0.5, 3 s", "funnel --count 2000" + rough, 3),
         rests("funnel-200-rest", "200 balls in a funnel, friction 0.3", "funnel --count 200"),
+        rests("funnel-2000-rest", "2000 balls in a funnel, friction 0.3", "funnel --count 2000"),
         rests("funnel-200-rough-rest", "The same with friction 0.5", "funnel --count 200" + rough),
         of_family(stands("kapla-100", "A round tower of 100 planks", tower(10, 10))),
         of_family(stands("kapla-400", "A round tower of 400 planks", tower(10, 40))),
