@@ -20,12 +20,7 @@ constexpr int most_sweeps = 1000;
 // Speed at which a contact that holds opens, as a share of that of the impact, up to which it counts as closed.
 constexpr double lies = 1e-6;
 
-// Whether a row is one of a contact: the others keep their velocity, and do no work.
-bool touches(const ConstraintRow& row) {
-    return row.label.kind == RowKind::contact || row.label.kind == RowKind::friction;
-}
-
-// Work of all contacts between the solutions without and with rebounds: W(k) = a + b k + c k^2.
+// Work of all rows between the solutions without and with rebounds: W(k) = a + b k + c k^2.
 struct Work {
     double a = 0.0, b = 0.0, c = 0.0;
 
@@ -61,7 +56,8 @@ void ImpactSolver::aim(ImpactProblem& problem) {
         const double opening = row.bounds.c_min >= 0.0 ? before : row.bounds.c_max <= 0.0 ? -before : 0.0;
         if (is_own) fastest_ = std::max(fastest_, -before);
         if (opening > (is_own ? 0.0 : lies * fastest_)) row.bounds.c_min = row.bounds.c_max = 0.0;
-        row.push = {.correcting = 0.0, .lasting = is_own ? 0.0 : before};
+        const bool is_one_sided = row.bounds.c_min > -infinity || row.bounds.c_max < infinity;
+        row.push = {.correcting = 0.0, .lasting = is_own ? 0.0 : is_one_sided ? before : row.push.lasting};
         if (!is_own) continue;
         const double rebound = -pair->restitution * before;
         if (rebound > pair->least_rebound) aims_.back().rebounds = rebound;
@@ -84,7 +80,6 @@ void ImpactSolver::find(const ImpactProblem& problem, bool with_rebounds, Column
 bool ImpactSolver::gains(const ImpactProblem& problem) const {
     double work = 0.0, all = 0.0;
     for (std::size_t j = 0; j < problem.rows.size(); ++j) {
-        if (!touches(problem.rows[j])) continue;
         const double mean = aims_[j].before + 0.5 * acceleration_along(system_, j, on_bodies_);
         const double own = impulses_(static_cast<Eigen::Index>(j), 0) * mean;
         work += own;
@@ -97,7 +92,6 @@ bool ImpactSolver::gains(const ImpactProblem& problem) const {
 double ImpactSolver::share_without_gain(const ImpactProblem& problem) const {
     Work work;
     for (std::size_t j = 0; j < problem.rows.size(); ++j) {
-        if (!touches(problem.rows[j])) continue;
         const auto index = static_cast<Eigen::Index>(j);
         const double without = acceleration_along(system_, j, on_bodies_stopped_);
         const double stopped = stopped_(index, 0), more = impulses_(index, 0) - stopped;

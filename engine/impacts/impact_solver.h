@@ -3,12 +3,13 @@
 //
 // Each point that approaches fast enough leaves with epsilon times the speed of its approach, Newton's law (8.2.1),
 // in the system equation of 6.2.9 with impulses in the place of forces. What holds the bodies takes part: joints
-// and bars keep their velocity, and bodies without restitution that lie on each other do not go further in.
+// and bars get back the velocity that they had at the start of the step, since which the bodies have flown without
+// them, and bodies without restitution that lie on each other do not go further in.
 //
 // With friction Newton's law can make energy, where the impulse of the rebound works in the direction in which the
-// point then moves (Kane 1984, Stronge 1990). So the work of the impact may not be positive:
+// point then moves (Kane 1984, Stronge 1990), and so can joints. So the work of the impact may not be positive:
 //
-//   W = sum over the rows of contacts of P (w + w') / 2 <= 0
+//   W = sum over the rows of P (w + w') / 2 <= 0
 //
 // Symbols: P impulse of a row [N s]; w and w' velocities along the row before and after the impact, relative to
 // what moves the surfaces [m/s].

@@ -148,6 +148,37 @@ void Impacts::find_what_holds(std::span<const ConstraintRow> rows) {
         const bool both = !step_.bodies[at(row.body_a)].is_static() && !step_.bodies[at(row.body_b)].is_static();
         if (both) parent_[at(group_of(row.body_a))] = group_of(row.body_b);
     }
+    leave_out_blows(rows);
+}
+
+// J v1 of a row of the step, and what external forces and `others`, by body or none, add in `time` [s]; m/s.
+double Impacts::speed_along(const ConstraintRow& row, double time, std::span<const Vector6> others) const {
+    double speed = -carried_speed(row, step_.bodies[at(row.body_a)], step_.bodies[at(row.body_b)], step_.dt);
+    for (const auto& [body, axis] :
+         {std::pair{row.body_a, row.jacobian.a}, std::pair{row.body_b, row.jacobian.b}}) {
+        const Body& own = step_.bodies[at(body)];
+        if (own.is_static()) continue;
+        Vector6 force = stacked(own.force, own.torque);
+        if (!others.empty()) force += others[at(body)];
+        speed += axis.dot(stacked(velocity(own), angular_velocity(own)) + time * acceleration_by(own, force));
+    }
+    return speed;
+}
+
+// Forces of the last step may be those of an impact or of a stop. They count for a group only if they are better
+// than none: lambda^T (A lambda / 2 - b) < 0, where b keeps the velocities of what connects the group.
+void Impacts::leave_out_blows(std::span<const ConstraintRow> rows) {
+    std::vector<double> worse(step_.bodies.size(), 0.0);  // by group, W
+    for (const int j : holding_) {
+        const ConstraintRow& row = rows[at(j)];
+        if (row.label.kind == RowKind::contact || row.label.kind == RowKind::friction) continue;
+        const double without = speed_along(row, step_.dt, {}), with = speed_along(row, step_.dt, by_rows_);
+        const int movable = step_.bodies[at(row.body_a)].is_static() ? row.body_b : row.body_a;
+        worse[at(group_of(movable))] += row.guess.last * (0.5 * (with + without) - speed_along(row, 0.0, {}));
+    }
+    for (std::size_t body = 0; body < by_rows_.size(); ++body) {
+        if (worse[at(group_of(static_cast<int>(body)))] > 0.0) by_rows_[body].setZero();
+    }
 }
 
 int Impacts::group_of(int body) {
@@ -325,6 +356,7 @@ void Impacts::add_what_holds(double time, std::span<const ConstraintRow> rows) {
             copy.bounds.c_min *= step_.dt;  // an impulse
             copy.bounds.c_max *= step_.dt;
         }
+        if (!is_contact && !slides) copy.push.lasting = speed_along(row, 0.0, {});
         copy.push.correcting = 0.0;
         copy.correction = nullptr;
         copy.guess = {};

@@ -65,6 +65,8 @@ class Impacts {
     ImpactLimits limits_of(const collision::Touch& touch) const;
     void begin(std::span<const ConstraintRow> rows);
     void find_what_holds(std::span<const ConstraintRow> rows);
+    double speed_along(const ConstraintRow& row, double time, std::span<const Vector6> others) const;
+    void leave_out_blows(std::span<const ConstraintRow> rows);
     int group_of(int body);
     Flight& fly_body(int body);
     Flier flier(int collider);

@@ -3,9 +3,9 @@
 //
 //   - An island whose guess is good enough is not solved (island_solver.h).
 //   - It is solved directly where it stands, if the solution lasts or a few bodies make it cheap; and where nothing
-//     else serves: joints, bars alone, islands that take no small steps, and masses so unequal that load does not
-//     pass in small steps, where that is cheap: towers and crates, not a wall that a heavy ball hits. A solution
-//     that lasts and costs more is looked for by sweeps of the whole step.
+//     else serves: loops of joints, bars alone, islands that take no small steps, and masses so unequal that load
+//     does not pass in small steps, where that is cheap: towers and crates, not a wall that a heavy ball hits. A
+//     solution that lasts and costs more is looked for by sweeps of the whole step.
 //   - Everything else takes small steps: few in a heap in which bodies move, because impacts change it anyway; more
 //     in a structure that stands, because what carries load is compressed by g h^2.
 #pragma once

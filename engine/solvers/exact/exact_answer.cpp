@@ -120,8 +120,8 @@ bool ExactAnswer::settle(double tolerance, double will_do, Effort& effort, Solve
         if (!problem_.has_discs) continue;
         if (reached <= will_do) return reached <= enough();
         if (!effort.affords(by_points)) continue;
-        reached = active_set_.solve_by_proximal_points(order, problem_, tolerance, most_proximal_changes, y_,
-                                                       effort, count);
+        reached = active_set_.solve_by_proximal_points(order, problem_, std::max(tolerance, will_do),
+                                                       most_proximal_changes, y_, effort, count);
         break;
     }
     if (reached <= enough()) return true;
