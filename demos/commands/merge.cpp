@@ -1,7 +1,7 @@
 #include "demos/commands/report.h"
 #include "demos/platform/output_file.h"
 #include "demos/platform/shell_words.h"
-#include "demos/reports/pieces/store.h"
+#include "demos/reports/pieces.h"
 #include "demos/reports/study.h"
 #include "demos/text/errors.h"
 #include "demos/text/shard.h"
@@ -80,7 +80,7 @@ void print_missing(const ReportNote& note, const fs::path& folder, const std::ve
     std::map<int, std::size_t> shards;  // missing pieces of each
     for (const std::string& key : keys) {
         const auto count = static_cast<std::uint64_t>(note.shards);
-        ++shards[static_cast<int>(reports::hash_of_key(key) % count) + 1];
+        ++shards[static_cast<int>(text_hash(key) % count) + 1];
     }
     for (std::size_t i = 0; i < std::min(keys.size(), most); ++i) print(fmt::format("missing: {}\n", keys[i]));
     if (keys.size() > most) print(fmt::format("and {} more\n", keys.size() - most));

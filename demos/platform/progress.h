@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <string>
 
 namespace pushfactor::demos {
@@ -34,5 +35,8 @@ bool interrupted();
 
 // Throws RunError if one was received; `what_is_left` describes the output that remains.
 void stop_if_interrupted(const std::string& what_is_left);
+
+// Called often during long work; its exceptions end that.
+using StopCheck = std::function<void()>;
 
 }  // namespace pushfactor::demos

@@ -3,7 +3,7 @@
 #include "demos/platform/output_file.h"
 #include "demos/platform/plain_name.h"
 #include "demos/reports/error/consistency.h"
-#include "demos/reports/error/frozen_moments.h"
+#include "demos/reports/error/frozen.h"
 #include "demos/reports/error/points.h"
 #include "demos/text/errors.h"
 

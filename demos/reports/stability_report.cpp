@@ -89,9 +89,8 @@ Pieces stability_pieces(const StudyRequest& request) {
     Pieces pieces;
     for (const Chapter& chapter : *all) {
         for (const Trial& trial : trials_of(chapter, request.folder)) {
-            pieces.push_back({trial.key(), [all, trial, program](const std::function<void()>& check) {
-                                  return trial.run(program, check);
-                              }});
+            pieces.push_back(
+                {trial.key(), [all, trial, program](const StopCheck& check) { return trial.run(program, check); }});
         }
     }
     return pieces;

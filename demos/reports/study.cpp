@@ -3,6 +3,7 @@
 #include "demos/pages/live_links.h"
 #include "demos/platform/output_file.h"
 #include "demos/platform/processors.h"
+#include "demos/platform/version.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -10,13 +11,31 @@
 #include <algorithm>
 #include <chrono>
 #include <ctime>
+#include <fstream>
 #include <future>
 #include <mutex>
 #include <set>
+#include <thread>
 
 namespace pushfactor::demos::reports {
 
 namespace {
+
+#ifdef __clang__
+constexpr const char* compiler = "clang " __clang_version__;
+#else
+constexpr const char* compiler = "g++ " __VERSION__;
+#endif
+
+// Model name; empty if unknown.
+std::string cpu_model() {
+    std::ifstream info("/proc/cpuinfo");
+    for (std::string line; std::getline(info, line);) {
+        const auto colon = line.find(": ");
+        if (line.starts_with("model name") && colon != std::string::npos) return line.substr(colon + 2);
+    }
+    return "";
+}
 
 // Ends a piece in progress.
 struct Dropped {};
@@ -25,8 +44,7 @@ struct Dropped {};
 // called often. An exception of theirs or of a piece ends all: pieces in progress are dropped, and the exception is
 // thrown.
 void make_pieces(const std::vector<const Piece*>& pieces, std::size_t jobs,
-                 const std::function<void(const Piece&, const Json& result)>& keep,
-                 const std::function<void()>& check) {
+                 const std::function<void(const Piece&, const Json& result)>& keep, const StopCheck& check) {
     std::atomic<std::size_t> next = 0;
     std::atomic<bool> ended = false;
     const auto work = [&] {
@@ -89,7 +107,7 @@ void StudyRun::gather(const Pieces& pieces) {
     std::vector<const Piece*> missing;
     std::set<std::string> machines;
     for (const Piece& piece : pieces) {
-        if (request_.shard && !request_.shard->takes(hash_of_key(piece.key))) continue;
+        if (request_.shard && !request_.shard->takes(text_hash(piece.key))) continue;
         ++count_.all;
         if (const auto found = store_.find(piece.key)) {
             ++count_.there;
@@ -168,6 +186,21 @@ StudyRun::Count make_study(const Study& study, const StudyRequest& request) {
     if (failed == 0) return run.count();
     throw CheckError(
         fmt::format("{} of {} pieces of shard {} failed and are not kept", failed, all, to_text(*request.shard)));
+}
+
+std::string about_json() {
+    const std::string cpu = cpu_model();
+    return json_text(Json{{"program", "pushfactor " + version_text()},
+                          {"compiler", compiler},
+                          {"flags", compile_flags()},
+                          {"cpu", cpu.empty() ? Json(nullptr) : Json(cpu)},
+                          {"cores", std::thread::hardware_concurrency()}});
+}
+
+std::string about_line() {
+    const std::string cpu = cpu_model();
+    return fmt::format("pushfactor {}, {}, {}; {}{} cores", version_text(), compiler, compile_flags(),
+                       cpu.empty() ? "" : cpu + ", ", std::thread::hardware_concurrency());
 }
 
 std::vector<Study> all_studies() {

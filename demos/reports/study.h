@@ -5,7 +5,7 @@
 #include "demos/pages/table.h"
 #include "demos/pages/verdict_files.h"
 #include "demos/platform/progress.h"
-#include "demos/reports/pieces/store.h"
+#include "demos/reports/pieces.h"
 #include "demos/runs/session.h"
 #include "demos/text/shard.h"
 
@@ -94,7 +94,7 @@ class StudyRun {
     void begin(std::size_t runs, std::size_t done = 0, std::string hint = "");
     void count_run();
     void stop_if_interrupted() const;
-    std::function<void()> check() const {
+    StopCheck check() const {
         return [this] { stop_if_interrupted(); };
     }
 

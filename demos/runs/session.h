@@ -3,6 +3,7 @@
 
 #include "demos/options/comparison.h"
 #include "demos/options/frame_options.h"
+#include "demos/platform/progress.h"
 #include "demos/runs/simulation.h"
 #include "demos/text/errors.h"
 #include "demos/text/shard.h"
@@ -83,15 +84,21 @@ void play(Simulation& run, const GoesOn& goes_on, Observers&... observers) {
     }
 }
 
-// Steps one run to its end; `check` is called before each step. Stops and returns false if it becomes non-finite.
+// Steps one run up to step number `steps`; `check` is called before each step.
 template <typename... Observers>
-bool play_to_end(Simulation& run, const std::function<void()>& check, Observers&... observers) {
-    const auto goes_on = [&check](const Simulation& now) {
+void play_steps(Simulation& run, long steps, const StopCheck& check, Observers&... observers) {
+    const auto goes_on = [&](const Simulation& now) {
         check();
-        return before_end(now);
+        return now.sample().step < steps;
     };
+    play(run, goes_on, observers...);
+}
+
+// The same to the end of the run. Stops and returns false if it becomes non-finite.
+template <typename... Observers>
+bool play_to_end(Simulation& run, const StopCheck& check, Observers&... observers) {
     try {
-        play(run, goes_on, observers...);
+        play_steps(run, whole_steps(run.settings()), check, observers...);
     } catch (const NonFiniteError&) {
         return false;
     }

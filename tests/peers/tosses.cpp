@@ -1,6 +1,5 @@
 #include "tests/peers/tosses.h"
 
-#include "demos/reports/reality/statistics.h"
 #include "demos/reports/reality/toss_fit.h"
 #include "tests/peers/engine.h"
 

@@ -8,7 +8,6 @@
 
 #include <array>
 #include <filesystem>
-#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -77,8 +76,8 @@ struct CellResult {
     double value = 0.0;  // of the map's measure, up to the last finite step; NaN if the summary has no number there
 };
 
-// Throws the exceptions of errors.h except NonFiniteError, and those of `check`, which is called at each step.
-CellResult run_cell(const AtlasCell& cell, const std::function<void()>& check);
+// Throws the exceptions of errors.h except NonFiniteError.
+CellResult run_cell(const AtlasCell& cell, const StopCheck& check);
 
 // The cell as a piece of the report, and its result as it was stored. The map must outlive the piece.
 Piece piece_of(const AtlasCell& cell);

@@ -36,7 +36,7 @@ std::string command_of(const AtlasCell& cell) {
     return command_text("run", cell.map->scene, options_of(cell));
 }
 
-CellResult run_cell(const AtlasCell& cell, const std::function<void()>& check) {
+CellResult run_cell(const AtlasCell& cell, const StopCheck& check) {
     const Choices choices = run_of(cell.map->scene, options_of(cell));
     Simulation run(choices);
     Measurements measurements(run);
@@ -55,7 +55,7 @@ CellResult run_cell(const AtlasCell& cell, const std::function<void()>& check) {
 }
 
 Piece piece_of(const AtlasCell& cell) {
-    return {key_of(cell.map->measure.key, cell), [cell](const std::function<void()>& check) {
+    return {key_of(cell.map->measure.key, cell), [cell](const StopCheck& check) {
                 const auto [outcome, value] = run_cell(cell, check);
                 return Json{{"outcome", outcome}, {"value", json_number(value)}};
             }};
@@ -66,9 +66,8 @@ CellResult result_in(const Json& json) {
 }
 
 Piece replay_piece_of(const AtlasCell& cell) {
-    return {key_of("replay", cell), [cell](const std::function<void()>& check) {
-                return Json(replay_of(cell.map->scene, options_of(cell), check));
-            }};
+    return {key_of("replay", cell),
+            [cell](const StopCheck& check) { return Json(replay_of(cell.map->scene, options_of(cell), check)); }};
 }
 
 std::string replay_file(const AtlasCell& cell) {

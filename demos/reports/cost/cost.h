@@ -4,11 +4,11 @@
 
 #include "demos/options/named_run.h"
 #include "demos/platform/processors.h"
+#include "demos/platform/progress.h"
 #include "demos/runs/scene.h"
 #include "demos/runs/step_division.h"
 
 #include <array>
-#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -54,8 +54,8 @@ struct MeasuredState {
     BuiltScene build() const { return build_scene(description, settings); }
 };
 
-// Runs up to `seconds`. Calls `check` often, which may throw.
-MeasuredState moment_at(const Choices& choices, double seconds, const std::function<void()>& check);
+// Runs up to `seconds`.
+MeasuredState moment_at(const Choices& choices, double seconds, const StopCheck& check);
 
 // Stages of a step of the run: the rules for substeps, then engine::Phase.
 inline constexpr std::array<std::string_view, 7> phase_names{"rules", "forces",   "rows",     "system",
@@ -179,7 +179,7 @@ Counts count_steps(const MeasuredState& moment);
 double time_of_step(const MeasuredState& moment);
 
 // CPU times of those steps: median over `repeats` passes of the mean per step; and memory of the world.
-Times time_steps(const MeasuredState& moment, int repeats, const std::function<void()>& check);
+Times time_steps(const MeasuredState& moment, int repeats, const StopCheck& check);
 
 // Scenes side by side: a world should cost as much as its parts, and move like them.
 // Scenes too far apart to touch, and the simulated time from which their steps are counted.
@@ -205,7 +205,7 @@ struct SumOfParts {
     double moved = 0.0;  // m: largest distance of the first part's bodies from where they end alone
 };
 
-// Times the same steps of all worlds `goes` times. Calls `check` often, which may throw.
-SumOfParts measure(const Neighbours& scenes, int goes, const std::function<void()>& check);
+// Times the same steps of all worlds `goes` times.
+SumOfParts measure(const Neighbours& scenes, int goes, const StopCheck& check);
 
 }  // namespace pushfactor::demos::reports::cost

@@ -98,7 +98,7 @@ Counts means_of(Counts sum) {
 
 }  // namespace
 
-MeasuredState moment_at(const Choices& choices, double seconds, const std::function<void()>& check) {
+MeasuredState moment_at(const Choices& choices, double seconds, const StopCheck& check) {
     Simulation simulation(choices);
     play(simulation, [&](const Simulation& run) {
         check();
@@ -150,7 +150,7 @@ double time_of_step(const MeasuredState& moment) {
     return (thread_cpu_us() - before) / Walk::steps_counted;
 }
 
-Times time_steps(const MeasuredState& moment, int repeats, const std::function<void()>& check) {
+Times time_steps(const MeasuredState& moment, int repeats, const StopCheck& check) {
     const double cost = clock_cost();
     std::vector<double> steps;
     std::array<std::vector<double>, phase_names.size()> stages;

@@ -100,7 +100,7 @@ Neighbours many(const std::string& name, int count, int of, SceneDescription (*s
     return {name, {parts.front()}, {count}, scenes::side_by_side(name, parts), 1.0};
 }
 
-MeasuredState moment_of(const SceneDescription& scene, double start, const std::function<void()>& check) {
+MeasuredState moment_of(const SceneDescription& scene, double start, const StopCheck& check) {
     Choices choices;
     choices.description = scene;
     choices.settings = preset_settings("default");
@@ -137,7 +137,7 @@ std::vector<Neighbours> neighbours(bool quick) {
     return all;
 }
 
-SumOfParts measure(const Neighbours& scenes, int goes, const std::function<void()>& check) {
+SumOfParts measure(const Neighbours& scenes, int goes, const StopCheck& check) {
     const MeasuredState together = moment_of(scenes.together, scenes.start, check);
     std::vector<MeasuredState> parts;
     for (const SceneDescription& part : scenes.parts) parts.push_back(moment_of(part, scenes.start, check));

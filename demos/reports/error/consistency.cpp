@@ -89,16 +89,13 @@ SceneDescription restarted(SceneDescription scene, const Bodies& bodies) {
 }
 
 // Up to a time since the start [s].
-void run_until(Simulation& run, const Rational& time, const std::function<void()>& check) {
+void run_until(Simulation& run, const Rational& time, const StopCheck& check) {
     const Rational steps = time / run.settings().dt;
-    play(run, [&](const Simulation& now) {
-        check();
-        return now.sample().step < steps.numerator / steps.denominator;
-    });
+    play_steps(run, steps.numerator / steps.denominator, check);
 }
 
 Bodies after_window(const Plan& plan, const Compared& which, const Bodies& start, const Rational& dt,
-                    const std::function<void()>& check) {
+                    const StopCheck& check) {
     Choices choices = choices_at(which, dt);
     choices.description = restarted(choices.description, start);
     Simulation run(choices);
@@ -107,7 +104,7 @@ Bodies after_window(const Plan& plan, const Compared& which, const Bodies& start
 }
 
 // Per step: its length [s], the error [m], the size of a movable body [m], and the order against twice the step.
-Table errors_of(const Plan& plan, const Compared& which, const std::function<void()>& check) {
+Table errors_of(const Plan& plan, const Compared& which, const StopCheck& check) {
     Simulation fine(choices_at(which, plan.smallest));
     std::vector<Bodies> starts, ends;
     for (const Rational& start : plan.starts) {
@@ -142,7 +139,7 @@ Pieces consistency_pieces(bool quick) {
     const Plan plan(quick);
     Pieces pieces;
     for (const Compared& which : compared) {
-        pieces.push_back({key_of(plan, which), [plan, &which](const std::function<void()>& check) {
+        pieces.push_back({key_of(plan, which), [plan, &which](const StopCheck& check) {
                               return Json(exact_rows(errors_of(plan, which, check)));
                           }});
     }

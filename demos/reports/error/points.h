@@ -6,10 +6,9 @@
 #include "demos/pages/table.h"
 #include "demos/reports/error/experiments.h"
 #include "demos/reports/error/work_plot.h"
-#include "demos/reports/pieces/piece.h"
+#include "demos/reports/pieces.h"
 
 #include <filesystem>
-#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -37,9 +36,8 @@ struct ErrorPoint {
 // Outcomes that the exact solution does not have; to fly up is none of them for some methods.
 bool means_failure(const std::string& outcome);
 
-// `check` is called often; its exceptions end the run.
 ErrorPoint run_point(const Experiment& sweep, const Method& method, const std::string& value, int repeats,
-                     const std::function<void()>& check);
+                     const StopCheck& check);
 
 // The points of sweeps as pieces, and the point of a result.
 std::string key_of(const Experiment& sweep, const Method& method, const std::string& value);

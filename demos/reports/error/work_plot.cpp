@@ -3,12 +3,15 @@
 #include "demos/figures/plot.h"
 #include "demos/text/palette.h"
 
+#include <Eigen/Geometry>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <string_view>
+#include <tuple>
 
 namespace pushfactor::demos::reports::error {
 
@@ -18,6 +21,26 @@ constexpr double least_error = 1e-16;  // rounding: smaller errors are not disti
 constexpr double aspect = 1.45;
 // Size of the area inside the axes in letter widths of the labels; the script draws them in this size.
 const Place area(110.0, 100.0 / aspect);
+
+constexpr double letter_height = 1.9;  // of a text line, in letter widths
+constexpr double mark = 0.9;           // half the width of a point's mark
+
+using Box = Eigen::AlignedBox2d;
+
+Box around(const Place& centre, double half_width, double half_height) {
+    const Place half(half_width, half_height);
+    return {centre - half, centre + half};
+}
+
+// Sampled finely enough for the height of a label.
+bool crosses(const Segment& line, const Box& box) {
+    const int samples = static_cast<int>((line.to - line.from).norm() / 0.5) + 1;
+    for (int k = 0; k <= samples; ++k) {
+        const double share = static_cast<double>(k) / samples;
+        if (box.intersects(around(line.from + share * (line.to - line.from), 0.1, 0.1))) return true;
+    }
+    return false;
+}
 
 // Powers of ten at both ends of an axis.
 struct Decades {
@@ -242,6 +265,52 @@ Section work_section(const WorkPlot& plot, const std::string& heading, const std
     plate.caption = caption;
     draw_work_plot(plot, folder, plate);
     return {plot.name, heading, std::move(plate)};
+}
+
+std::vector<std::optional<Place>> place_labels(const std::vector<Place>& points,
+                                               const std::vector<std::string>& labels,
+                                               const std::vector<Segment>& lines, const Place& corner) {
+    const Box area(Place(0, 0), corner);
+    std::vector<Box> taken;
+    for (const Place& point : points) taken.push_back(around(point, mark, mark));
+    std::vector<std::optional<Place>> places(points.size());
+    const auto place = [&](std::size_t i, bool over_lines) {
+        const double half = 0.5 * static_cast<double>(labels[i].size());
+        const double aside = half + mark + 0.5;
+        const double above = 0.5 * letter_height + mark + 0.1;
+        for (const Place& offset :
+             {Place(aside, 0), Place(-aside, 0), Place(0, above), Place(0, -above), Place(aside, above),
+              Place(-aside, -above), Place(-aside, above), Place(aside, -above)}) {
+            const Place centre = points[i] + offset;
+            const Box box = around(centre, half, 0.5 * letter_height);
+            const auto hit = [&box](const Box& other) { return box.intersects(other); };
+            const auto cut = [&box](const Segment& line) { return crosses(line, box); };
+            if (!area.contains(box) || std::ranges::any_of(taken, hit)) continue;
+            if (!over_lines && std::ranges::any_of(lines, cut)) continue;
+            places[i] = centre;
+            taken.push_back(box);
+            return;
+        }
+    };
+    for (const bool over_lines : {false, true}) {
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            if (!places[i]) place(i, over_lines);
+        }
+    }
+    return places;
+}
+
+std::vector<std::size_t> pareto_front(std::span<const Trade> points) {
+    std::vector<std::size_t> order(points.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::sort(order, {},
+                      [points](std::size_t i) { return std::tuple(points[i].error, points[i].work, i); });
+    // In order of rising error a point is on the front if it takes less work than all before it.
+    std::vector<std::size_t> front;
+    for (const std::size_t i : order) {
+        if (front.empty() || points[i].work < points[front.back()].work) front.push_back(i);
+    }
+    return front;
 }
 
 }  // namespace pushfactor::demos::reports::error

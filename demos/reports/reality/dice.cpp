@@ -108,7 +108,7 @@ std::string key_of(const Bounce& bounce, int throws) {
 
 Piece throws_of(const std::vector<Die>& dice, const Bounce& bounce, int throws) {
     return {
-        key_of(bounce, throws), [=](const std::function<void()>& check) {
+        key_of(bounce, throws), [=](const StopCheck& check) {
             std::vector<double> shares;
             for (const Die& die : dice) {
                 shares.push_back(static_cast<double>(square_faces(die.length, bounce, 0, throws, check)) / throws);
@@ -125,7 +125,7 @@ double variance(double share, int throws) {
 
 }  // namespace
 
-int square_faces(double length, const Bounce& bounce, int first, int throws, const std::function<void()>& check) {
+int square_faces(double length, const Bounce& bounce, int first, int throws, const StopCheck& check) {
     int found = 0;
     for (int number = first; number < first + throws; ++number) {
         check();

@@ -76,7 +76,7 @@ class Filling {
     }
 
     // Layer by layer, each from just above what lies there.
-    void pour(const std::function<void()>& check) {
+    void pour(const StopCheck& check) {
         for (int done = 0; done < container_.bodies; done += a_layer) {
             add_layer(std::min(a_layer, container_.bodies - done));
             run(1.0, check);
@@ -84,7 +84,7 @@ class Filling {
         run(3.0, check);
     }
 
-    void shake(const std::function<void()>& check) {
+    void shake(const StopCheck& check) {
         for (BodyDescription& body : scene_.bodies) {
             if (!body.mass)
                 body.motion = MotionDescription{.kind = ShakingMotion{amplitude, Vector3::UnitY(), frequency}};
@@ -155,13 +155,9 @@ class Filling {
         }
     }
 
-    void run(double seconds, const std::function<void()>& check) {
+    void run(double seconds, const StopCheck& check) {
         Simulation simulation(build_scene(scene_, settings_), settings_);
-        const long steps = std::lround(seconds / settings_.dt.value());
-        play(simulation, [&](const Simulation& now) {
-            check();
-            return now.sample().step < steps;
-        });
+        play_steps(simulation, std::lround(seconds / settings_.dt.value()), check);
         deepest_ = simulation.sample().penetration.max;
         for (std::size_t i = 0; i < scene_.bodies.size(); ++i) {
             const engine::Body& now = simulation.scene().world.bodies[i];
@@ -205,7 +201,7 @@ std::vector<MeasuredPacking> read_packings() {
     return packings;
 }
 
-Packing packed(const std::string& solid, const Container& container, const std::function<void()>& check) {
+Packing packed(const std::string& solid, const Container& container, const StopCheck& check) {
     Filling filling(solid, container);
     filling.pour(check);
     Packing packing{.loose = filling.share()};
@@ -228,7 +224,7 @@ void add_packings(StudyRun& run) {
     for (const MeasuredPacking& one : wanted) {
         for (const double friction : frictions) {
             const Container container{width, bodies, friction, shakes};
-            pieces.push_back({key(one.solid, friction), [=, solid = one.solid](const std::function<void()>& check) {
+            pieces.push_back({key(one.solid, friction), [=, solid = one.solid](const StopCheck& check) {
                                   const Packing found = packed(solid, container, check);
                                   return json_numbers({found.loose.value, found.loose.error, found.dense.value,
                                                        found.dense.error, found.deepest});

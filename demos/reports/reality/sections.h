@@ -1,11 +1,9 @@
 // The sections of the report on measured motion, and what they are made of.
 #pragma once
 
-#include "demos/reports/reality/statistics.h"
 #include "demos/reports/reality/tosses.h"
 #include "demos/reports/study.h"
 
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -43,7 +41,7 @@ struct Bounce {
 // Cuboid dice with a square cross-section, `length` edges long: how many of `throws` computed ones, the first of
 // which has this number, end with a square face on top. A die of 12 mm falls from 0.2 m, at up to 1 m/s sideways,
 // in any orientation and turning about any axis at up to 60 rad/s.
-int square_faces(double length, const Bounce& bounce, int first, int throws, const std::function<void()>& check);
+int square_faces(double length, const Bounce& bounce, int first, int throws, const StopCheck& check);
 
 // Packings of spheres and regular solids: those of assets/measured/packings.csv, shares of the volume, +-0.01:
 // regular solids by Baker and Kudrolli (2010, arXiv 1008.1728); none where nothing was measured.
@@ -68,7 +66,7 @@ struct Packing {
     Mean loose{}, dense{};
     double deepest = 0.0;  // m, overlap at the end
 };
-Packing packed(const std::string& solid, const Container& container, const std::function<void()>& check);
+Packing packed(const std::string& solid, const Container& container, const StopCheck& check);
 
 // The tosses as this engine computes them: one pose per frame, the start first; and the scene that gives these
 // poses, with the measured motion of the cube.

@@ -85,7 +85,7 @@ LawGrid law_grid(const Tosses& tosses, bool quick) {
 }
 
 std::vector<double> errors_with(const Engine& engine, const Tosses& tosses, const LawGrid& grid, double friction,
-                                const std::function<void()>& check) {
+                                const StopCheck& check) {
     std::vector<double> errors;
     for (const double restitution : grid.restitutions) {
         check();

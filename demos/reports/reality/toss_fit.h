@@ -1,7 +1,7 @@
 // The law of contact with which an engine follows tosses best, and how far it goes on others.
 #pragma once
 
-#include "demos/reports/reality/statistics.h"
+#include "demos/platform/progress.h"
 #include "demos/reports/reality/tosses.h"
 
 #include <array>
@@ -32,7 +32,7 @@ LawGrid law_grid(const Tosses& tosses, bool quick);
 
 // Mean error of position of every toss, for all restitutions with this friction.
 std::vector<double> errors_with(const Engine& engine, const Tosses& tosses, const LawGrid& grid, double friction,
-                                const std::function<void()>& check);
+                                const StopCheck& check);
 
 class LawFit {
   public:

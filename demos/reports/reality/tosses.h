@@ -1,12 +1,14 @@
-// Files of measured numbers, measured tosses of a cube onto a board, and how far computed ones are from them. The y
-// axis is up.
+// Files of measured numbers, means with their errors, measured tosses of a cube onto a board, and how far computed
+// ones are from them. The y axis is up.
 #pragma once
 
 #include "engine/base/math.h"
 
+#include <cmath>
 #include <cstddef>
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace pushfactor::demos::reports::reality {
@@ -14,6 +16,29 @@ namespace pushfactor::demos::reports::reality {
 // The lines of a CSV file of numbers below its heading, which has to be `columns`; a file that ends in .gz is
 // decompressed. Throws RunError for a missing or damaged file.
 std::vector<std::vector<double>> numbers_of(const std::filesystem::path& file, const std::string& columns);
+
+struct Mean {
+    double value = 0.0, error = 0.0;  // one standard deviation of the mean
+};
+inline Mean mean_of(const std::vector<double>& values) {
+    Mean mean;
+    const auto count = static_cast<double>(values.size());
+    if (values.empty()) return mean;
+    for (const double value : values) mean.value += value / count;
+    if (values.size() < 2) return mean;
+    double squares = 0.0;
+    for (const double value : values) squares += (value - mean.value) * (value - mean.value);
+    mean.error = std::sqrt(squares / (count * (count - 1.0)));
+    return mean;
+}
+
+// Of a share of `count` trials, the interval that has it with 95 % (Wilson 1927).
+inline std::pair<double, double> confidence(double share, int count) {
+    constexpr double z = 1.96;
+    const double n = count, middle = share + z * z / (2.0 * n);
+    const double reach = z * std::sqrt(share * (1.0 - share) / n + z * z / (4.0 * n * n));
+    return {(middle - reach) / (1.0 + z * z / n), (middle + reach) / (1.0 + z * z / n)};
+}
 
 struct Pose {
     engine::Vector3 position;  // m

@@ -2,7 +2,7 @@
 
 #include "demos/platform/child_process.h"
 #include "demos/platform/output_file.h"
-#include "demos/reports/pieces/piece.h"
+#include "demos/reports/pieces.h"
 #include "demos/reports/stability/measures.h"
 #include "demos/scenes/scene_file.h"
 #include "demos/text/errors.h"
@@ -66,7 +66,7 @@ std::string Trial::key() const {
 }
 
 // In the folder, with relative names, so that the files of a run are the same on every machine.
-Json Trial::run(const fs::path& program, const std::function<void()>& check) const {
+Json Trial::run(const fs::path& program, const StopCheck& check) const {
     std::vector<std::string> words{"run", one_.own() ? "scenes/" + one_.name + ".json" : scene_};
     for (const auto& [name, text] : options_) words.insert(words.end(), {"--" + name, text});
     const std::array kept{name_of(".json"), name_of("-state.json"), name_of(".html")};

@@ -2,11 +2,11 @@
 // verdicts.
 #pragma once
 
+#include "demos/platform/progress.h"
 #include "demos/reports/stability/cases.h"
 #include "demos/text/json.h"
 
 #include <filesystem>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -33,9 +33,9 @@ class Trial {
     // Names everything that decides the result.
     std::string key() const;
 
-    // Runs it: outcome, measured values and the files of the run. `program` is the path of this program; `check` is
-    // called often, and its exceptions end the run. Throws ChildProcessError.
-    Json run(const std::filesystem::path& program, const std::function<void()>& check) const;
+    // Runs it: outcome, measured values and the files of the run. `program` is the path of this program. Throws
+    // ChildProcessError.
+    Json run(const std::filesystem::path& program, const StopCheck& check) const;
 
     // Judges what run() returned, here or elsewhere, and writes its files.
     void judge(const Json& result);

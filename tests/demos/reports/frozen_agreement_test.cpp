@@ -1,5 +1,5 @@
 // Every solver on every frozen problem of the report, against the direct one.
-#include "demos/reports/error/frozen_moments.h"
+#include "demos/reports/error/frozen.h"
 #include "demos/reports/error/true_errors.h"
 #include "demos/scenes/families/family.h"
 #include "engine/solvers/solver.h"

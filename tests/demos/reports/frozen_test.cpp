@@ -1,5 +1,6 @@
 // Frozen problems: a written problem reads back unchanged.
-#include "demos/reports/error/frozen_moments.h"
+#include "demos/reports/error/frozen.h"
+
 #include "demos/text/errors.h"
 #include "engine/solvers/solver.h"
 #include "tests/catch.h"

@@ -1,6 +1,7 @@
 // Reports in shares: whatever the number and order of the shards, and after a kill, merged files are those of one
 // process; what `report merge` refuses and lists.
-#include "demos/reports/pieces/piece.h"
+#include "demos/reports/pieces.h"
+
 #include "demos/text/json.h"
 #include "demos/text/shard.h"
 #include "tests/catch.h"
@@ -206,7 +207,7 @@ TEST_CASE("shards of a million pieces are even to one percent, and so are the fo
     std::map<std::uint64_t, long> of_shard, of_folder;
     std::set<std::uint64_t> hashes;
     for (int i = 0; i < 1000000; ++i) {
-        const std::uint64_t hash = hash_of_key("atlas: x of pushfactor run stack --count " + std::to_string(i));
+        const std::uint64_t hash = text_hash("atlas: x of pushfactor run stack --count " + std::to_string(i));
         hashes.insert(hash);
         ++of_folder[hash >> 56];
         for (int shard = 1; shard <= 7; ++shard)

@@ -1,7 +1,7 @@
-// Frozen problems as `pushfactor report error --export` writes them (demos/reports/error/frozen_problem.h).
+// Frozen problems as `pushfactor report error --export` writes them (demos/reports/error/frozen.h).
 #pragma once
 
-#include "demos/reports/error/frozen_problem.h"
+#include "demos/reports/error/frozen.h"
 
 #include <filesystem>
 

@@ -28,9 +28,15 @@
 //   }
 //
 // Find lambda [N], column by column: A lambda - b is zero between the bounds, >= 0 at c_min and <= 0 at c_max.
+//
+// And such problems at hard moments of scenes, with the convergence of each solver on them, without the effect of
+// its errors on the run.
 #pragma once
 
-#include "demos/text/json.h"
+#include "demos/options/named_run.h"
+#include "demos/pages/table.h"
+#include "demos/reports/error/work_plot.h"
+#include "demos/reports/pieces.h"
 #include "engine/system/system_equation.h"
 
 #include <string>
@@ -68,5 +74,42 @@ class FrozenProblem {
     engine::SystemEquation system_;  // its rows are rows_
     engine::Columns guess_;
 };
+
+struct FrozenMoment {
+    std::string name;     // "stack of 5, landing"
+    std::string scene;    // of the catalogue or of assets/scenes
+    OptionTexts options;  // "seconds" is the moment
+};
+
+std::vector<FrozenMoment> hard_moments(bool quick);
+
+// Moments of contacts with Coulomb's friction and nothing else, which is what collections of contact problems have.
+struct ContactMoment {
+    std::string name;  // a file name: "wall_3_at_0.5s"
+    Choices choices;   // `settings.seconds` is the moment
+};
+
+// Stacks, heaps, walls, houses of cards and arches, ten each: five members at two moments; of each kind one with
+// `quick`.
+std::vector<ContactMoment> contact_moments(bool quick);
+
+// Runs the scene up to the moment and freezes its system.
+FrozenProblem freeze(const FrozenMoment& moment, const StopCheck& check);
+FrozenProblem freeze(const std::string& name, const Choices& choices, const StopCheck& check);
+
+inline const std::vector<std::string> frozen_columns{"problem", "method", "iterations", "residual_m_per_s",
+                                                     "work_multiply_adds"};
+
+// Results of every solver, cold and warm, over iterations, as lines of frozen.csv. `dense` is left out above 200
+// rows: it gives the same as `pgs` at cubic cost.
+Table solve_frozen(const FrozenProblem& problem, bool quick);
+
+// The moments as pieces. A result has the number of "rows" and "columns" of the system, and the "lines" of
+// solve_frozen().
+std::string key_of(const FrozenMoment& moment, bool quick);
+Pieces frozen_pieces(const std::vector<FrozenMoment>& moments, bool quick);
+
+// Lines of the plot of one problem: all but `dense`, whose work would compress the others.
+std::vector<WorkLine> lines_of(const std::vector<std::vector<std::string>>& lines);
 
 }  // namespace pushfactor::demos::reports::error
