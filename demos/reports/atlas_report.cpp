@@ -3,10 +3,14 @@
 #include "demos/platform/output_file.h"
 #include "demos/platform/version.h"
 #include "demos/reports/atlas/atlas.h"
+#include "demos/runs/summary.h"
+#include "demos/text/suggest.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 
 namespace pushfactor::demos::reports {
@@ -14,6 +18,30 @@ namespace pushfactor::demos::reports {
 namespace {
 
 using namespace atlas;
+
+std::string key_of(const std::string& what, const AtlasCell& cell) {
+    return fmt::format("atlas: {} of {}", what, run_key(cell.map->scene, cell.options()));
+}
+
+// The cell as a piece of the report. The map must outlive the piece.
+Piece piece_of(const AtlasCell& cell) {
+    return {key_of(cell.map->measure.key, cell), [cell](const StopCheck& check) {
+                const auto [outcome, value] = run_cell(cell, check);
+                return Json{{"outcome", outcome}, {"value", json_number(value)}};
+            }};
+}
+
+// A page that plays the run of the cell, as a piece whose result is its text; and the name of its file.
+Piece replay_piece_of(const AtlasCell& cell) {
+    return {key_of("replay", cell),
+            [cell](const StopCheck& check) { return Json(replay_of(cell.map->scene, cell.options(), check)); }};
+}
+
+std::string replay_file(const AtlasCell& cell) {
+    std::string name = fmt::format("{}_{}_{}_{}", cell.map->x.option, cell.x, cell.map->y.option, cell.y);
+    std::ranges::replace(name, '/', '-');
+    return "cells/" + name + ".html";
+}
 
 // All maps of the request, whether asked for by --only or not.
 std::vector<AtlasMap> maps_of(const StudyRequest& request) {
@@ -42,7 +70,7 @@ std::vector<CellResult> results_of(const AtlasMap& map, const StudyRun& run) {
     for (const AtlasCell& cell : cells_of(map)) {
         const auto found = run.find(piece_of(cell).key);
         if (!found) return {};
-        results.push_back(result_in(*found));
+        results.push_back({found->at("outcome"), number_in(found->at("value"))});
     }
     return results;
 }
@@ -86,11 +114,43 @@ void make_atlas(StudyRun& run) {
 
 }  // namespace
 
+OptionTexts atlas::AtlasCell::options() const {
+    OptionTexts options = map->common;
+    options.insert(options.end(), {{map->x.option, x}, {map->y.option, y}});
+    return options;
+}
+
+std::vector<AtlasCell> atlas::cells_of(const AtlasMap& map) {
+    std::vector<AtlasCell> cells;
+    for (const std::string& y : map.y.values) {
+        for (const std::string& x : map.x.values) cells.push_back({&map, x, y});
+    }
+    return cells;
+}
+
+std::string atlas::command_of(const AtlasCell& cell) {
+    return command_text("run", cell.map->scene, cell.options());
+}
+
+CellResult atlas::run_cell(const AtlasCell& cell, const StopCheck& check) {
+    const Choices choices = run_of(cell.map->scene, cell.options());
+    Simulation run(choices);
+    Measurements measurements(run);
+    const bool finite = play_to_end(run, check, measurements);
+    // The summary may have no such number, as a drift after 10 s in a shorter run.
+    const Json summary = parse_json(summary_text(choices, run, measurements));
+    const auto number = summary.find(cell.map->measure.key);
+    const bool has_number = number != summary.end() && number->is_number();
+    return {std::string(finite ? name_of(measurements.outcome()) : non_finite),
+            has_number ? number->get<double>() : std::numeric_limits<double>::quiet_NaN()};
+}
+
 Study atlas_study() {
-    std::vector<std::string> parts;
-    for (const AtlasMap& map : atlas_maps()) parts.push_back(map.name);
-    return {
-        .name = "atlas", .title = "stability atlas", .parts = parts, .make = make_atlas, .pieces = atlas_pieces};
+    return {.name = "atlas",
+            .title = "stability atlas",
+            .parts = names_of(atlas_maps()),
+            .make = make_atlas,
+            .pieces = atlas_pieces};
 }
 
 }  // namespace pushfactor::demos::reports

@@ -8,12 +8,12 @@
 #include "demos/scenes/catalogue.h"
 #include "demos/scenes/scene_file.h"
 #include "demos/text/numbers.h"
+#include "demos/text/suggest.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <cmath>
-#include <numeric>
 
 namespace pushfactor::demos::reports {
 
@@ -28,7 +28,6 @@ struct Entry {
     std::string name;
     double start = 0.0;  // s, simulated
     Ledger own, all;
-    std::string own_command, all_command;
 };
 
 double thousandths(double us) {
@@ -40,7 +39,7 @@ std::string joined(const std::vector<std::string>& names) {
 }
 
 std::vector<Cell> line_of(const Entry& entry, bool everything) {
-    const auto& [parts, bodies, counts, times] = everything ? entry.all : entry.own;
+    const auto& [parts, bodies, counts, times, command] = everything ? entry.all : entry.own;
     std::vector<Cell> line{entry.name,
                            entry.start,
                            everything ? "everything" : "as it is",
@@ -50,15 +49,16 @@ std::vector<Cell> line_of(const Entry& entry, bool everything) {
                            joined(parts.contacts),
                            joined(parts.step_rules)};
     for (const CountColumn& column : row_columns) line.emplace_back(counts.*column.value);
-    for (const auto& [kept, swept, exact, small_steps] : counts.islands)
-        line.insert(line.end(), {kept, swept, exact, small_steps});
+    for (const IslandCounts& kind : counts.islands) {
+        line.insert(line.end(), kind.by_way.begin(), kind.by_way.end());
+    }
     for (const CountColumn& column : work_columns) line.emplace_back(counts.*column.value);
     line.emplace_back(thousandths(times.step));
     const bool touches = counts.contact_rows > 0.0;
     line.push_back(touches ? Cell(thousandths(times.step / counts.contact_rows)) : Cell());
     line.push_back(touches && times.bytes ? Cell(std::round(*times.bytes / counts.contact_rows)) : Cell());
     for (const double us : times.stages) line.emplace_back(thousandths(us));
-    line.emplace_back(everything ? entry.all_command : entry.own_command);
+    line.emplace_back(command);
     return line;
 }
 
@@ -68,8 +68,7 @@ Table table_of(const std::vector<Entry>& entries, bool both) {
                  "step_rules"}};
     for (const CountColumn& column : row_columns) table.columns.emplace_back(column.name);
     for (const std::string_view kind : island_kinds) {
-        for (const char* const way : {"kept", "swept", "exact", "small_steps"})
-            table.columns.push_back(fmt::format("{}_{}", kind, way));
+        for (const std::string_view way : island_ways) table.columns.push_back(fmt::format("{}_{}", kind, way));
     }
     for (const CountColumn& column : work_columns) table.columns.emplace_back(column.name);
     table.columns.insert(table.columns.end(), {"step_us", "us_per_contact", "bytes_per_contact"});
@@ -89,8 +88,9 @@ Table islands_of(const std::vector<Entry>& entries) {
         for (std::size_t k = 0; k < island_kinds.size(); ++k) {
             const IslandCounts& kind = entry.own.counts.islands[k];
             if (kind.all() == 0.0) continue;
-            table.rows.push_back(
-                {entry.name, island_kinds[k], kind.all(), kind.kept, kind.swept, kind.exact, kind.small_steps});
+            std::vector<Cell>& row = table.rows.emplace_back();
+            row = {entry.name, island_kinds[k], kind.all()};
+            row.insert(row.end(), kind.by_way.begin(), kind.by_way.end());
         }
     }
     return table;
@@ -104,7 +104,7 @@ Cell ratio(double everything, double as_it_is) {
 Table comparison_of(const std::vector<Entry>& entries) {
     Table table{{"scene", "rows", "with everything", "columns", "with everything", "multiply-adds",
                  "with everything", "times", "us per step", "with everything", "times"}};
-    for (const auto& [name, start, own, all, own_command, all_command] : entries) {
+    for (const auto& [name, start, own, all] : entries) {
         table.rows.push_back({name, own.counts.rows(), all.counts.rows(), own.counts.columns, all.counts.columns,
                               own.counts.multiply_adds, all.counts.multiply_adds,
                               ratio(all.counts.multiply_adds, own.counts.multiply_adds), own.times.step,
@@ -165,7 +165,7 @@ class CostReport {
             show();
         }
         for (const Neighbours& scenes : neighbours_) {
-            run_.write(fmt::format("{}/{}.json", side_by_side, plain_name(scenes.name, '-')),
+            run_.write(fmt::format("{}/{}.json", side_by_side, plain_name(scenes.together.name, '-')),
                        scene_file_text(scenes.together));
             sums_.push_back(measure(scenes, repeats(), run_.check()));
             run_.write("side_by_side.csv", sums_of(sums_));
@@ -183,22 +183,18 @@ class CostReport {
         const Choices everything = understand((run_.folder() / file).string(), {}).on_one_thread();
         OptionTexts own = one.options;
         own.emplace_back("seconds", to_text(one.start));
-        Ledger all = ledger_of(everything, one.start);
-        return {one.name,
-                one.start,
-                ledger_of(choices, one.start),
-                std::move(all),
-                command_text("run", one.scene, own) + " --timing",
-                command_text("run", file, {own.back()}) + " --timing"};
+        const Ledger all = ledger_of(everything, one.start, command_text("run", file, {own.back()}));
+        return {one.name, one.start, ledger_of(choices, one.start, command_text("run", one.scene, own)), all};
     }
 
-    Ledger ledger_of(const Choices& choices, double start) const {
-        const MeasuredState moment = moment_at(choices, start, run_.check());
-        const BuiltScene scene = moment.build();
+    Ledger ledger_of(const Choices& choices, double start, const std::string& command) const {
+        const Choices moment = moment_at(choices, start, run_.check());
+        const BuiltScene scene = build_scene(moment);
         return {.parts = parts_of(scene, moment.settings),
                 .bodies = static_cast<int>(scene.world.bodies.size()),
                 .counts = count_steps(moment),
-                .times = time_steps(moment, repeats(), run_.check())};
+                .times = time_steps(moment, repeats(), run_.check()),
+                .command = command + " --timing"};
     }
 
     // Writes the page; plots are drawn only when all results are complete.
@@ -272,8 +268,7 @@ class CostReport {
 }  // namespace
 
 Study cost_study() {
-    std::vector<std::string> parts;
-    for (const SceneEntry& scene : catalogue()) parts.emplace_back(scene.name);
+    std::vector<std::string> parts = names_of(catalogue());
     parts.emplace_back(side_by_side);
     return {"cost", "what a step costs", parts, [](StudyRun& run) { CostReport(run).make(); }};
 }

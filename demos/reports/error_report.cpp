@@ -2,10 +2,10 @@
 // (scenes against themselves at smaller steps), and their plots.
 #include "demos/platform/output_file.h"
 #include "demos/platform/plain_name.h"
-#include "demos/reports/error/consistency.h"
+#include "demos/reports/error/error.h"
 #include "demos/reports/error/frozen.h"
-#include "demos/reports/error/points.h"
 #include "demos/text/errors.h"
+#include "demos/text/suggest.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -277,8 +277,7 @@ class ErrorReport {
 }  // namespace
 
 Study error_study() {
-    std::vector<std::string> parts;
-    for (const Experiment& sweep : error_experiments(true)) parts.push_back(sweep.name);
+    std::vector<std::string> parts = names_of(error_experiments(true));
     parts.insert(parts.end(), {frozen_part, consistency_part});
     return {.name = "error",
             .title = "error against run time",

@@ -18,17 +18,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string make_version() {
-    const std::string version = version_text();
+std::string version_of_pieces() {
+    static const std::string version = version_text();
     const bool exact = version.find("-dirty") == std::string::npos && version.find("unknown") == std::string::npos;
-    if (exact) return version;
     // Content, because another build of modified sources has the same version.
-    return fmt::format("{}, program {:016x}", version, text_hash(read_bytes_of("/proc/self/exe").value_or("")));
-}
-
-const std::string& version_of_pieces() {
-    static const std::string version = make_version();
-    return version;
+    static const std::string content =
+        exact ? "" : fmt::format(", program {:016x}", text_hash(read_bytes_of("/proc/self/exe").value_or("")));
+    return version + content;
 }
 
 fs::path folder_of_version(const fs::path& folder) {

@@ -1,20 +1,22 @@
 // Measured motion beside computed motion, each number with the noise of its measurement: tosses of a cube, throws
 // of dice, packings, and motions that are known in closed form.
 #include "demos/reports/reality/sections.h"
+#include "demos/text/suggest.h"
 
 #include <fmt/format.h>
 
 #include <array>
-#include <utility>
 
 namespace pushfactor::demos::reports {
 
 namespace {
 
-using Part = std::pair<const char*, void (*)(StudyRun&)>;
-constexpr std::array<Part, 4> parts{Part{"closed-forms", reality::add_closed_forms},
-                                    Part{"tosses", reality::add_tosses}, Part{"dice", reality::add_dice},
-                                    Part{"packings", reality::add_packings}};
+struct Part {
+    const char* name;
+    void (*add)(StudyRun& run);
+};
+constexpr std::array parts{Part{"closed-forms", reality::add_closed_forms}, Part{"tosses", reality::add_tosses},
+                           Part{"dice", reality::add_dice}, Part{"packings", reality::add_packings}};
 
 void make_reality(StudyRun& run) {
     for (const auto& [name, add] : parts) {
@@ -34,9 +36,7 @@ void make_reality(StudyRun& run) {
 }  // namespace
 
 Study reality_study() {
-    std::vector<std::string> names;
-    for (const auto& [name, add] : parts) names.emplace_back(name);
-    return {.name = "reality", .title = "beside measured motion", .parts = names, .make = make_reality};
+    return {.name = "reality", .title = "beside measured motion", .parts = names_of(parts), .make = make_reality};
 }
 
 }  // namespace pushfactor::demos::reports

@@ -71,8 +71,7 @@ struct StudyRequest {
 };
 
 // Pieces of a merged report that are in none of its folders.
-class MissingPieces : public RunError {
-  public:
+struct MissingPieces : RunError {
     MissingPieces(const std::string& message, std::vector<std::string> missing)
         : RunError(message), keys(std::move(missing)) {}
 

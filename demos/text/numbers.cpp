@@ -50,10 +50,10 @@ std::string to_text(double value) {
     return fmt::format("{}", value);
 }
 
-std::vector<std::string_view> parts_of(std::string_view text) {
+std::vector<std::string_view> parts_of(std::string_view text, char between) {
     std::vector<std::string_view> parts;
     for (std::size_t begin = 0; begin <= text.size();) {
-        const std::size_t end = std::min(text.find(',', begin), text.size());
+        const std::size_t end = std::min(text.find(between, begin), text.size());
         parts.push_back(text.substr(begin, end - begin));
         begin = end + 1;
     }

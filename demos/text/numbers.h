@@ -18,7 +18,7 @@ std::optional<double> parse_length_mm(std::string_view text);
 // The shortest text that reads back as the same double.
 std::string to_text(double value);
 
-// The parts between commas, including empty ones; one empty part for an empty text.
-std::vector<std::string_view> parts_of(std::string_view text);
+// The parts between commas or another sign, including empty ones; one empty part for an empty text.
+std::vector<std::string_view> parts_of(std::string_view text, char between = ',');
 
 }  // namespace pushfactor::demos

@@ -1,6 +1,6 @@
 #include "tests/peers/tosses.h"
 
-#include "demos/reports/reality/toss_fit.h"
+#include "demos/reports/reality/tosses.h"
 #include "tests/peers/engine.h"
 
 #include <fmt/format.h>

@@ -29,9 +29,8 @@ struct AtlasAxis {
 
 // A number of the summary that is shown in each cell.
 struct AtlasMeasure {
-    std::string key;                                  // in the summary
-    std::string words;                                // with the unit
-    double (Measurements::*value)() const = nullptr;  // null: only the summary has it
+    std::string key;    // in the summary
+    std::string words;  // with the unit
 };
 
 // A theoretical limit: a line on the map.
@@ -62,6 +61,8 @@ AtlasMap grid_map(const GridRequest& request);
 struct AtlasCell {
     const AtlasMap* map;
     std::string x, y;  // values of the axes
+
+    OptionTexts options() const;  // of its run
 };
 
 // Cells of a map, row by row from below; and those whose replays were asked for.
@@ -78,14 +79,6 @@ struct CellResult {
 
 // Throws the exceptions of errors.h except NonFiniteError.
 CellResult run_cell(const AtlasCell& cell, const StopCheck& check);
-
-// The cell as a piece of the report, and its result as it was stored. The map must outlive the piece.
-Piece piece_of(const AtlasCell& cell);
-CellResult result_in(const Json& json);
-
-// A page that plays the run of the cell, as a piece whose result is its text; and the name of its file.
-Piece replay_piece_of(const AtlasCell& cell);
-std::string replay_file(const AtlasCell& cell);
 
 struct OutcomeLook {
     std::string_view outcome;

@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <stdexcept>
 #include <utility>
 
@@ -26,14 +25,6 @@ constexpr const char* forms = "must be OPTION=FROM:TO:STEP, OPTION=log:FROM:TO:C
     throw UsageError(fmt::format("{} {}: {}", field, text, why));
 }
 
-std::vector<std::string> split(const std::string& text, char at) {
-    std::vector<std::string> parts;
-    std::istringstream stream(text);
-    for (std::string part; std::getline(stream, part, at);) parts.push_back(part);
-    if (text.empty() || text.back() == at) parts.emplace_back();
-    return parts;
-}
-
 std::pair<std::string, std::string> name_and_value(const std::string& field, const std::string& text,
                                                    const std::string& allowed) {
     const auto equals = text.find('=');
@@ -43,7 +34,7 @@ std::pair<std::string, std::string> name_and_value(const std::string& field, con
 
 // Exact: 0.1, 0.2, 0.3 and not 0.30000000000000004.
 std::vector<std::string> equal_steps(const std::string& field, const std::string& text,
-                                     const std::vector<std::string>& words) {
+                                     const std::vector<std::string_view>& words) {
     const auto from = parse_rational(words[0]), to = parse_rational(words[1]), step = parse_rational(words[2]);
     if (!from || !to || !step) refuse(field, text, forms);
     const double count = std::floor((to->value() - from->value()) / step->value() + 1e-9) + 1.0;
@@ -63,7 +54,7 @@ std::vector<std::string> equal_steps(const std::string& field, const std::string
 
 // `whole`: rounded to whole numbers, without repetitions.
 std::vector<std::string> equal_factors(const std::string& field, const std::string& text,
-                                       const std::vector<std::string>& words, bool whole) {
+                                       const std::vector<std::string_view>& words, bool whole) {
     const auto from = parse_number(words[1]), to = parse_number(words[2]);
     const auto count = parse_integer(words[3]);
     if (!from || !to || !count) refuse(field, text, forms);
@@ -118,7 +109,7 @@ AtlasAxis axis_of(const GridRequest& request, const OptionTexts& set, const std:
     require_option(run_of(request.scene, set), field, text, name);
     require_unset(set, field, text, name);
     AtlasAxis axis{.option = name, .label = name, .values = {}, .scale = 1.0, .logarithmic = false};
-    const std::vector<std::string> words = split(value, ':');
+    const std::vector<std::string_view> words = parts_of(value, ':');
     if (words.size() == 4 && words[0] == "log") {
         axis.logarithmic = true;
         axis.values = equal_factors(field, text, words, false);
@@ -195,14 +186,14 @@ std::vector<AtlasCell> cells_with_replay(const AtlasMap& map, const GridRequest&
     std::vector<AtlasCell> chosen;
     for (const std::string& text : request.replays) {
         if (text == "all") return cells_of(map);
-        const auto parts = split(text, ':');
-        const auto has = [](const AtlasAxis& axis, const std::string& value) {
+        const auto parts = parts_of(text, ':');
+        const auto has = [](const AtlasAxis& axis, std::string_view value) {
             return std::ranges::find(axis.values, value) != axis.values.end();
         };
         if (parts.size() != 2 || !has(map.x, parts[0]) || !has(map.y, parts[1])) {
             refuse("--replays", text, "must be all, or X:Y with a value of each axis as its table has it");
         }
-        chosen.push_back({&map, parts[0], parts[1]});
+        chosen.push_back({&map, std::string(parts[0]), std::string(parts[1])});
     }
     return chosen;
 }

@@ -1,5 +1,6 @@
 #include "demos/figures/plot.h"
 
+#include "demos/pages/short_numbers.h"
 #include "demos/reports/atlas/atlas.h"
 #include "demos/text/palette.h"
 
@@ -96,11 +97,7 @@ std::string short_number(double value) {
     const double size = std::abs(value);
     if (size >= 1e-3 && size < 9.95) return fmt::format("{:.2g}", value);
     if (size >= 9.95 && size < 9999.5) return fmt::format("{:.0f}", value);
-    std::string text = fmt::format("{:.0e}", value);
-    const auto sign = text.find('e') + 1;
-    if (text[sign + 1] == '0') text.erase(sign + 1, 1);
-    if (text[sign] == '+') text.erase(sign, 1);
-    return text;
+    return short_cell(fmt::format("{:.0e}", value));
 }
 
 Section atlas_section(const AtlasMap& map, const std::vector<CellResult>& results,

@@ -9,6 +9,7 @@
 #include "demos/runs/step_division.h"
 
 #include <array>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -46,16 +47,8 @@ struct Parts {
 
 Parts parts_of(const BuiltScene& scene, const Settings& settings);
 
-// A scene at the time from which its steps are counted; each build of it takes the same steps.
-struct MeasuredState {
-    SceneDescription description;
-    Settings settings;
-
-    BuiltScene build() const { return build_scene(description, settings); }
-};
-
-// Runs up to `seconds`.
-MeasuredState moment_at(const Choices& choices, double seconds, const StopCheck& check);
+// The run as it is after `seconds`, from where its steps are counted; each build of its scene takes the same steps.
+Choices moment_at(Choices choices, double seconds, const StopCheck& check);
 
 // Stages of a step of the run: the rules for substeps, then engine::Phase.
 inline constexpr std::array<std::string_view, 7> phase_names{"rules", "forces",   "rows",     "system",
@@ -89,7 +82,7 @@ class Walk {
     static constexpr int steps_before = 30;  // warm-up: until memory no longer grows and the caches are warm
     static constexpr int steps_counted = 120;
 
-    explicit Walk(const MeasuredState& moment);  // has taken `steps_before`
+    explicit Walk(const Choices& moment);  // has taken `steps_before`
 
     BuiltScene& scene() { return scene_; }
 
@@ -117,11 +110,14 @@ class Walk {
 enum class IslandKind { single, thread, heap };
 inline constexpr std::array<std::string_view, 3> island_kinds{"single", "thread", "heap"};
 
-// Islands of a kind by method: last forces kept, solved by sweeps, solved exactly, in small steps.
+// Islands of a kind by engine::IslandSolver::Method: last forces kept, solved by sweeps, solved exactly, in small
+// steps.
+inline constexpr std::array<std::string_view, 4> island_ways{"kept", "swept", "exact", "small_steps"};
 struct IslandCounts {
-    double kept = 0.0, swept = 0.0, exact = 0.0, small_steps = 0.0;
+    std::array<double, island_ways.size()> by_way{};
 
-    double all() const { return kept + swept + exact + small_steps; }
+    double of(engine::IslandSolver::Method way) const { return by_way[static_cast<std::size_t>(way)]; }
+    double all() const { return std::accumulate(by_way.begin(), by_way.end(), 0.0); }
 };
 
 // Means per step of the run over the counted steps.
@@ -170,25 +166,24 @@ struct Ledger {
     int bodies = 0;
     Counts counts;
     Times times;
+    std::string command{};  // that reproduces the steps
 };
 
 // Counts of the same steps in every call, so that equal programs give equal counts.
-Counts count_steps(const MeasuredState& moment);
+Counts count_steps(const Choices& moment);
 
 // CPU time of one pass over those steps, us per step.
-double time_of_step(const MeasuredState& moment);
+double time_of_step(const Choices& moment);
 
 // CPU times of those steps: median over `repeats` passes of the mean per step; and memory of the world.
-Times time_steps(const MeasuredState& moment, int repeats, const StopCheck& check);
+Times time_steps(const Choices& moment, int repeats, const StopCheck& check);
 
-// Scenes side by side: a world should cost as much as its parts, and move like them.
-// Scenes too far apart to touch, and the simulated time from which their steps are counted.
+// Scenes side by side, too far apart to touch: a world should cost as much as its parts, and move like them.
 struct Neighbours {
-    std::string name;
     std::vector<SceneDescription> parts;
     std::vector<int> times;  // number of copies of each part in `together`
     SceneDescription together;
-    double start = 0.0;  // s
+    double start = 0.0;  // s, simulated, from when on steps are counted
 };
 
 // The list of the report; `quick` takes seconds.

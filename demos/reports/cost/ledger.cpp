@@ -1,4 +1,3 @@
-#include "demos/platform/processors.h"
 #include "demos/reports/cost/cost.h"
 #include "demos/runs/checkpoint.h"
 #include "demos/runs/session.h"
@@ -43,14 +42,9 @@ IslandKind kind_of(const engine::Island& island) {
 }
 
 void add_islands(const engine::World& world, Counts& sum) {
-    using Method = engine::IslandSolver::Method;
     for (const engine::Island& island : world.islands().all()) {
         IslandCounts& counts = sum.islands[static_cast<std::size_t>(kind_of(island))];
-        const Method method = world.outcome_of(island).method;
-        (method == Method::kept    ? counts.kept
-         : method == Method::swept ? counts.swept
-         : method == Method::exact ? counts.exact
-                                   : counts.small_steps) += 1.0;
+        counts.by_way[static_cast<std::size_t>(world.outcome_of(island).method)] += 1.0;
     }
 }
 
@@ -90,21 +84,22 @@ Counts means_of(Counts sum) {
     };
     std::ranges::for_each(row_columns, divide);
     std::ranges::for_each(work_columns, divide);
-    for (auto& [kept, swept, exact, small_steps] : sum.islands) {
-        for (double* each : {&kept, &swept, &exact, &small_steps}) *each /= Walk::steps_counted;
+    for (IslandCounts& kind : sum.islands) {
+        for (double& count : kind.by_way) count /= Walk::steps_counted;
     }
     return sum;
 }
 
 }  // namespace
 
-MeasuredState moment_at(const Choices& choices, double seconds, const StopCheck& check) {
+Choices moment_at(Choices choices, double seconds, const StopCheck& check) {
     Simulation simulation(choices);
     play(simulation, [&](const Simulation& run) {
         check();
         return run.sample().time < seconds;
     });
-    return {resumed(spelled_out(choices), simulation.scene(), simulation.checkpoint()), choices.settings};
+    choices.description = resumed(spelled_out(choices), simulation.scene(), simulation.checkpoint());
+    return choices;
 }
 
 double clock_cost() {
@@ -124,15 +119,15 @@ void PhaseClock::end(std::size_t stage) {
     last_ = now;
 }
 
-Walk::Walk(const MeasuredState& moment)
-    : scene_(moment.build()),
+Walk::Walk(const Choices& moment)
+    : scene_(build_scene(moment)),
       dt_(moment.settings.dt.value()),
       division_(moment.settings.substeps ? StepDivision(*moment.settings.substeps)
                                          : StepDivision(step_rules(scene_), scene_.parts_before.value_or(0.0))) {
     go(steps_before);
 }
 
-Counts count_steps(const MeasuredState& moment) {
+Counts count_steps(const Choices& moment) {
     Walk walk(moment);
     Counts sum;
     for (int i = 0; i < Walk::steps_counted; ++i) {
@@ -143,14 +138,14 @@ Counts count_steps(const MeasuredState& moment) {
     return means_of(sum);
 }
 
-double time_of_step(const MeasuredState& moment) {
+double time_of_step(const Choices& moment) {
     Walk walk(moment);
     const double before = thread_cpu_us();
     walk.go(Walk::steps_counted);
     return (thread_cpu_us() - before) / Walk::steps_counted;
 }
 
-Times time_steps(const MeasuredState& moment, int repeats, const StopCheck& check) {
+Times time_steps(const Choices& moment, int repeats, const StopCheck& check) {
     const double cost = clock_cost();
     std::vector<double> steps;
     std::array<std::vector<double>, phase_names.size()> stages;

@@ -1,10 +1,9 @@
-#include "demos/reports/error/consistency.h"
-
-#include "demos/reports/error/work_plot.h"
+#include "demos/reports/error/error.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -57,17 +56,12 @@ std::string key_of(const Plan& plan, const Compared& which) {
                        to_text(plan.window), joined(plan.starts));
 }
 
+// Of the first movable body.
 double length_of(const SceneDescription& scene) {
-    for (const BodyDescription& body : scene.bodies) {
-        if (!body.mass) continue;
-        return std::visit(
-            engine::Overloaded{[](const BoxShape& box) { return box.size.minCoeff(); },
-                               [](const SphereShape& sphere) { return 2.0 * sphere.radius; },
-                               [](const PlaneShape&) { return 1.0; },
-                               [](const PolyhedronShape& polyhedron) { return 2.0 * polyhedron.radius(); }},
-            body.shape);
-    }
-    return 1.0;
+    const BodyDescription& body =
+        *std::ranges::find_if(scene.bodies, &std::optional<double>::has_value, &BodyDescription::mass);
+    const auto* box = std::get_if<BoxShape>(&body.shape);
+    return box ? box->size.minCoeff() : 2.0 * bounding_radius(body);
 }
 
 Choices choices_at(const Compared& which, const Rational& dt) {

@@ -37,13 +37,8 @@ engine::MatrixX dense_matrix(const SystemEquation& system) {
         unit(i, 0) = 1.0;
         constraint_forces(system, unit, 0, forces);
         unit(i, 0) = 0.0;
-        for (std::size_t body = 0; body < forces.size(); ++body) {
-            forces[body] = accelerate(system.inverse_mass[body], forces[body]);
-        }
         for (Eigen::Index j = 0; j < count; ++j) {
-            const engine::ConstraintRow& row = system.rows[static_cast<std::size_t>(j)];
-            A(j, i) = row.jacobian.a.dot(forces[static_cast<std::size_t>(row.body_a)]) +
-                      row.jacobian.b.dot(forces[static_cast<std::size_t>(row.body_b)]);
+            A(j, i) = acceleration_along(system, static_cast<std::size_t>(j), forces);
         }
     }
     return A;

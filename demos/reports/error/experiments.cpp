@@ -1,8 +1,7 @@
-#include "demos/reports/error/experiments.h"
+#include "demos/reports/error/error.h"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <numbers>

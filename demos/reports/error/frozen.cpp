@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace pushfactor::demos::reports::error {
 
@@ -21,10 +20,6 @@ Json numbers_of(const Numbers& numbers) {
     Json array = Json::array();
     for (const double number : numbers.reshaped()) array.push_back(number);
     return array;
-}
-
-Json bound_json(double bound) {
-    return std::isfinite(bound) ? Json(bound) : Json(nullptr);
 }
 
 // The step in which the topmost cube, which falls through all gaps, meets the one below it.
@@ -87,15 +82,15 @@ std::string FrozenProblem::text() const {
                                   {"inverse_inertia_root", numbers_of(body.angular_root.transpose())},
                                   {"free_acceleration", numbers_of(system_.free_acceleration[i])}});
     }
-    json["rows"] = Json::array();
+    json["rows"] = Json::array();  // infinite bounds are written as null
     for (Eigen::Index j = 0; j < system_.row_count(); ++j) {
         const ConstraintRow& row = rows_[static_cast<std::size_t>(j)];
         Json entry{{"body_a", row.body_a},
                    {"body_b", row.body_b},
                    {"j_a", numbers_of(row.jacobian.a)},
                    {"j_b", numbers_of(row.jacobian.b)},
-                   {"c_min_n", bound_json(row.bounds.c_min)},
-                   {"c_max_n", bound_json(row.bounds.c_max)}};
+                   {"c_min_n", row.bounds.c_min},
+                   {"c_max_n", row.bounds.c_max}};
         if (row.bounds.of_row >= 0) entry["of_row"] = row.bounds.of_row;
         if (row.bounds.disc != engine::Disc::none) {
             entry["disc"] = row.bounds.disc == engine::Disc::first ? "first" : "second";

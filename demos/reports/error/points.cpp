@@ -1,6 +1,5 @@
-#include "demos/reports/error/points.h"
-
 #include "demos/platform/processors.h"
+#include "demos/reports/error/error.h"
 #include "demos/runs/measurements.h"
 #include "demos/runs/session.h"
 #include "demos/text/csv.h"

@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 
 namespace pushfactor::demos::reports::reality {
 
@@ -24,24 +23,21 @@ constexpr double steel = 7800.0;  // kg/m^3
 constexpr double gravity = 9.81;  // m/s^2
 constexpr int most_seconds = 10;
 
-SceneDescription thrown(double length, const Bounce& bounce, int number) {
+SceneDescription thrown(double length, const Law& law, int number) {
     scenes::Random random(number);
     const Vector3 size(square, length * square, square);
     const engine::Quaternion orientation = scenes::random_orientation(random);
     const Vector3 axis = scenes::random_orientation(random) * Vector3::UnitX();
     const double rate = random.in(0.0, 60.0), speed = random.in(0.0, 1.0);
-    return one_on_another(
-        "die",
-        {.name = "table", .shape = PlaneShape{}, .friction = bounce.friction, .restitution = bounce.restitution},
-        {.name = "die",
-         .shape = BoxShape{size},
-         .mass = steel * size.prod(),
-         .position = Vector3(0, 0.2, 0),
-         .orientation = orientation,
-         .velocity = Vector3(speed, 0, 0),
-         .angular_velocity = rate * axis,
-         .friction = bounce.friction,
-         .restitution = bounce.restitution});
+    return one_on_another("die", {.name = "table", .shape = PlaneShape{}},
+                          {.name = "die",
+                           .shape = BoxShape{size},
+                           .mass = steel * size.prod(),
+                           .position = Vector3(0, 0.2, 0),
+                           .orientation = orientation,
+                           .velocity = Vector3(speed, 0, 0),
+                           .angular_velocity = rate * axis},
+                          law);
 }
 
 // The face below, if the die can no longer get over one of its edges: 1 for the square one, none while it can. Over
@@ -62,10 +58,10 @@ std::optional<Eigen::Index> decided_axis(const engine::Body& die, double length)
     return axis;
 }
 
-bool ends_on_square(double length, const Bounce& bounce, int number) {
+bool ends_on_square(double length, const Law& law, int number) {
     Settings settings = preset_settings("default");
     settings.threads = 1;
-    BuiltScene scene = build_scene(thrown(length, bounce, number), settings);
+    BuiltScene scene = build_scene(thrown(length, law, number), settings);
     const engine::Body& die = scene.world.bodies.at(1);
     for (int step = 0; step < most_seconds * 240; ++step) {
         if (const auto axis = decided_axis(die, length)) return *axis == 1;
@@ -91,8 +87,8 @@ std::vector<Die> read_dice() {
     return dice;
 }
 
-std::vector<Bounce> bounces_of(bool quick) {
-    std::vector<Bounce> all;
+std::vector<Law> laws_of(bool quick) {
+    std::vector<Law> all;
     for (const double friction : quick ? std::vector{0.2, 0.4} : std::vector{0.2, 0.3, 0.4, 0.6}) {
         for (const double restitution : quick ? std::vector{0.3, 0.6} : std::vector{0.2, 0.4, 0.6}) {
             all.push_back({friction, restitution});
@@ -101,20 +97,16 @@ std::vector<Bounce> bounces_of(bool quick) {
     return all;
 }
 
-std::string key_of(const Bounce& bounce, int throws) {
-    return fmt::format("reality: {} throws of each die, friction {}, restitution {}", throws, bounce.friction,
-                       bounce.restitution);
-}
-
-Piece throws_of(const std::vector<Die>& dice, const Bounce& bounce, int throws) {
-    return {
-        key_of(bounce, throws), [=](const StopCheck& check) {
-            std::vector<double> shares;
-            for (const Die& die : dice) {
-                shares.push_back(static_cast<double>(square_faces(die.length, bounce, 0, throws, check)) / throws);
-            }
-            return json_numbers(shares);
-        }};
+Piece throws_of(const std::vector<Die>& dice, const Law& law, int throws) {
+    const std::string key = fmt::format("reality: {} throws of each die, friction {}, restitution {}", throws,
+                                        law.friction, law.restitution);
+    return {key, [=](const StopCheck& check) {
+                std::vector<double> shares;
+                for (const Die& die : dice) {
+                    shares.push_back(static_cast<double>(square_faces(die.length, law, 0, throws, check)) / throws);
+                }
+                return json_numbers(shares);
+            }};
 }
 
 double variance(double share, int throws) {
@@ -125,11 +117,11 @@ double variance(double share, int throws) {
 
 }  // namespace
 
-int square_faces(double length, const Bounce& bounce, int first, int throws, const StopCheck& check) {
+int square_faces(double length, const Law& law, int first, int throws, const StopCheck& check) {
     int found = 0;
     for (int number = first; number < first + throws; ++number) {
         check();
-        found += ends_on_square(length, bounce, number) ? 1 : 0;
+        found += ends_on_square(length, law, number) ? 1 : 0;
     }
     return found;
 }
@@ -137,23 +129,23 @@ int square_faces(double length, const Bounce& bounce, int first, int throws, con
 void add_dice(StudyRun& run) {
     const std::vector<Die> dice = read_dice();
     const int throws = run.quick() ? 200 : 2000;
-    const std::vector<Bounce> bounces = bounces_of(run.quick());
+    const std::vector<Law> laws = laws_of(run.quick());
     Pieces pieces;
-    for (const Bounce& bounce : bounces) pieces.push_back(throws_of(dice, bounce, throws));
+    for (const Law& law : laws) pieces.push_back(throws_of(dice, law, throws));
     run.gather(pieces);
 
     std::vector<std::vector<double>> shares;
     double least = std::numeric_limits<double>::infinity();
     std::size_t best = 0;
     Table fits{{"friction", "restitution", "chi2_of_15"}};
-    for (std::size_t i = 0; i < bounces.size(); ++i) {
+    for (std::size_t i = 0; i < laws.size(); ++i) {
         shares.push_back(numbers_in(run.result(pieces[i].key)));
         double sum = 0.0;
         for (std::size_t d = 0; d < dice.size(); ++d) {
             const double off = shares[i][d] - dice[d].share;
             sum += off * off / (variance(dice[d].share, dice[d].throws) + variance(shares[i][d], throws));
         }
-        fits.rows.push_back({bounces[i].friction, bounces[i].restitution, sum});
+        fits.rows.push_back({laws[i].friction, laws[i].restitution, sum});
         if (sum < least) {
             least = sum;
             best = i;
@@ -180,7 +172,7 @@ void add_dice(StudyRun& run) {
         "fit best of {} pairs (chi squared {:.0f} for 15 dice); lowest and highest are over all pairs. Errors are "
         "one standard deviation. Off by more than 0.05: {}. A share that falls with length cannot meet all: those "
         "measured at 1.16 and 1.23 are in the other order.",
-        throws, bounces[best].friction, bounces[best].restitution, bounces.size(), least,
+        throws, laws[best].friction, laws[best].restitution, laws.size(), least,
         far.empty() ? "none" : fmt::format("{} of 15 (length over edge {})", far.size(), fmt::join(far, ", ")));
     add_plot({.script = "dice", .data = "dice.dat", .name = "dice_shares"}, csv_text(table), run.folder(), content);
     run.sections.push_back({"dice", "Dice of fifteen lengths", content});

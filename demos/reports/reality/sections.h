@@ -15,8 +15,13 @@ void add_tosses(StudyRun& run);        // toss_fit.csv, tosses.csv, toss_errors.
 void add_dice(StudyRun& run);          // dice.csv
 void add_packings(StudyRun& run);      // packings.csv
 
-// A body on another one, under gravity of 9.81 m/s^2.
-inline SceneDescription one_on_another(const std::string& name, BodyDescription below, BodyDescription body) {
+// A body on another one with this law of contact, under gravity of 9.81 m/s^2.
+inline SceneDescription one_on_another(const std::string& name, BodyDescription below, BodyDescription body,
+                                       const Law& law = {}) {
+    for (BodyDescription* const one : {&below, &body}) {
+        one->friction = law.friction;
+        one->restitution = law.restitution;
+    }
     SceneDescription scene;
     scene.name = name;
     scene.gravity = engine::Vector3(0, -9.81, 0);
@@ -34,14 +39,10 @@ struct ClosedForm {
 };
 const std::vector<ClosedForm>& closed_forms();
 
-struct Bounce {
-    double friction = 0.0, restitution = 0.0;
-};
-
 // Cuboid dice with a square cross-section, `length` edges long: how many of `throws` computed ones, the first of
 // which has this number, end with a square face on top. A die of 12 mm falls from 0.2 m, at up to 1 m/s sideways,
 // in any orientation and turning about any axis at up to 60 rad/s.
-int square_faces(double length, const Bounce& bounce, int first, int throws, const StopCheck& check);
+int square_faces(double length, const Law& law, int first, int throws, const StopCheck& check);
 
 // Packings of spheres and regular solids: those of assets/measured/packings.csv, shares of the volume, +-0.01:
 // regular solids by Baker and Kudrolli (2010, arXiv 1008.1728); none where nothing was measured.

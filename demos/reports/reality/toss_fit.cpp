@@ -1,16 +1,10 @@
-#include "demos/reports/reality/toss_fit.h"
-
+#include "demos/reports/reality/tosses.h"
 #include "demos/scenes/random.h"
 #include "demos/text/median.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <numeric>
-#include <optional>
-#include <utility>
 
 namespace pushfactor::demos::reports::reality {
 
@@ -20,6 +14,13 @@ std::vector<double> values(double from, double step, int count) {
     std::vector<double> all;
     for (int i = 0; i < count; ++i) all.push_back(from + step * i);
     return all;
+}
+
+// Where the cubes of these tosses lie at the end, m: the height of the board is measured there best.
+Mean board_of(const Tosses& tosses) {
+    std::vector<double> heights;
+    for (const Toss& toss : tosses) heights.push_back(toss.frames.back().position.y() - 0.5 * edge);
+    return mean_of(heights);
 }
 
 constexpr std::size_t fewest = 10;  // tosses, of a mean
@@ -73,12 +74,6 @@ Tosses half_of(const Tosses& all, std::size_t first, bool quick) {
     return some;
 }
 
-Mean board_of(const Tosses& tosses) {
-    std::vector<double> heights;
-    for (const Toss& toss : tosses) heights.push_back(toss.frames.back().position.y() - 0.5 * edge);
-    return mean_of(heights);
-}
-
 LawGrid law_grid(const Tosses& tosses, bool quick) {
     if (quick) return {values(0.14, 0.02, 5), values(0.0, 0.1, 4), board_of(tosses)};
     return {values(0.12, 0.01, 13), values(0.0, 0.05, 9), board_of(tosses)};
@@ -91,7 +86,7 @@ std::vector<double> errors_with(const Engine& engine, const Tosses& tosses, cons
         check();
         const Law law{friction, restitution, grid.board.value};
         for (const Toss& toss : tosses) {
-            errors.push_back(mean_error(toss, engine(start_of(toss), law, toss.frames.size())).position);
+            errors.push_back(mean_error(toss, engine(toss.start, law, toss.frames.size())).position);
         }
     }
     return errors;
@@ -156,7 +151,7 @@ Law LawFit::spread() const {
 Judged judge(const Engine& engine, const Tosses& tosses, const Law& law) {
     Judged judged;
     for (const Toss& toss : tosses) {
-        judged.poses.push_back(engine(start_of(toss), law, toss.frames.size()));
+        judged.poses.push_back(engine(toss.start, law, toss.frames.size()));
         const PoseError error = mean_error(toss, judged.poses.back());
         judged.position.push_back(error.position);
         judged.angle.push_back(error.angle);

@@ -4,7 +4,6 @@
 #include "demos/platform/assets.h"
 #include "demos/platform/output_file.h"
 #include "demos/reports/reality/sections.h"
-#include "demos/reports/reality/toss_fit.h"
 #include "demos/scenes/motions/measured_motion.h"
 #include "demos/scenes/scene_file.h"
 #include "demos/text/csv.h"
@@ -15,7 +14,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <memory>
 #include <numeric>
 
@@ -26,12 +24,7 @@ namespace {
 using engine::Vector3;
 
 SceneDescription scene_from(const Restart& start, const Law& law) {
-    return one_on_another("toss",
-                          {.name = "board",
-                           .shape = PlaneShape{},
-                           .position = Vector3(0, law.board, 0),
-                           .friction = law.friction,
-                           .restitution = law.restitution},
+    return one_on_another("toss", {.name = "board", .shape = PlaneShape{}, .position = Vector3(0, law.board, 0)},
                           {.name = "cube",
                            .shape = BoxShape{Vector3::Constant(edge)},
                            .mass = mass,
@@ -40,9 +33,8 @@ SceneDescription scene_from(const Restart& start, const Law& law) {
                            .orientation = start.pose.orientation,
                            .velocity = start.velocity,
                            .angular_velocity = start.angular_velocity,
-                           .friction = law.friction,
-                           .restitution = law.restitution,
-                           .colour = "blue"});
+                           .colour = "blue"},
+                          law);
 }
 
 // What tests/compare writes of another engine: its results, and its mean error of position over the time since the
@@ -191,7 +183,7 @@ std::vector<Pose> computed(const Restart& start, const Law& law, std::size_t fra
 }
 
 SceneDescription scene_of(const Toss& toss, const Law& law) {
-    SceneDescription scene = scene_from(start_of(toss), law);
+    SceneDescription scene = scene_from(toss.start, law);
     std::vector<PoseLine> measured;
     for (std::size_t i = 0; i < toss.frames.size(); ++i) {
         measured.push_back({static_cast<double>(i) / frames_per_second,

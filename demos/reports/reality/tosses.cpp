@@ -102,14 +102,9 @@ std::vector<Toss> read_tosses(const std::filesystem::path& folder) {
                                        "toss,frames,x_m,y_m,z_m,qw,qx,qy,qz,vx_m_per_s,vy_m_per_s,vz_m_per_s,"
                                        "wx_rad_per_s,wy_rad_per_s,wz_rad_per_s")) {
         Toss& toss = tosses.at(static_cast<std::size_t>(line[0]));
-        toss.velocity = vector_at(line, 9);
-        toss.angular_velocity = vector_at(line, 12);
+        toss.start = {toss.frames.front(), vector_at(line, 9), vector_at(line, 12)};
     }
     return tosses;
-}
-
-Restart start_of(const Toss& toss) {
-    return {toss.frames.front(), toss.velocity, toss.angular_velocity};
 }
 
 PoseError between(const Pose& measured, const Pose& computed) {

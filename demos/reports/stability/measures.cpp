@@ -1,5 +1,7 @@
-#include "demos/reports/stability/measures.h"
-
+// The measures.
+//
+// Symbols: x position [m], v velocity [m/s], w angular velocity [rad/s].
+#include "demos/reports/stability/trial.h"
 #include "demos/text/csv.h"
 #include "demos/text/numbers.h"
 

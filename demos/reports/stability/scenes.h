@@ -3,7 +3,7 @@
 // rad.
 #pragma once
 
-#include "demos/scenes/scene_description.h"
+#include "demos/scenes/families/pieces.h"
 
 #include <string>
 #include <utility>
@@ -13,6 +13,8 @@ namespace pushfactor::demos::reports::stability {
 
 using engine::Quaternion;
 using engine::Vector3;
+using families::inclined;
+using families::turned;
 
 constexpr double usual_gravity = 10.0;  // m/s^2
 
@@ -36,16 +38,6 @@ inline BodyDescription cube(int number, const Vector3& position, const Vector3& 
 
 inline BodyDescription wall(const std::string& name, const Vector3& size, const Vector3& position) {
     return {.name = name, .shape = BoxShape{size}, .position = position};
-}
-
-// Turned by `angle` about the vertical.
-inline Quaternion turned(double angle) {
-    return exponential(angle * Vector3::UnitY());
-}
-
-// Turned by `angle` about the z axis.
-inline Quaternion inclined(double angle) {
-    return exponential(angle * Vector3::UnitZ());
 }
 
 // A horizontal vector of this length, turned by `angle` about the vertical from the x axis.
@@ -85,10 +77,9 @@ inline SceneDescription with_friction(SceneDescription scene, double friction) {
     return scene;
 }
 
-// Stacked cubes, each overlapping the one below by a ten-thousandth of its side and slightly offset, so that no
-// symmetry helps.
+// Five stacked cubes, each overlapping the one below by a ten-thousandth of its side and slightly offset, so that
+// no symmetry helps.
 struct Pile {
-    int count = 5;
     double side = 1.0;                 // m, of cubes as dense as water
     Vector3 origin = Vector3::Zero();  // m, below the lowest
     double gravity = usual_gravity;    // m/s^2
@@ -114,6 +105,23 @@ SceneDescription cubes_in_16_directions(double speed, double friction, bool on_b
 
 // A slab of 1 x 0.2 x 1 m that slides and turns by `spin` [rad/s] about the vertical; gravity 9.81 m/s^2.
 SceneDescription spinning_slab(double speed, double spin, double friction);
+
+// Sliding distance of a slab that spins about the vertical while it slides: rigid, Coulomb friction at its four
+// lower corners, always lying flat.
+//
+// The loads N of the corners follow from the weight and the moments about both horizontal axes (friction acts half
+// the height below the centre): three equations for four unknowns. The fourth is a choice: here loads are linear in
+// the position, as for a slab on elastic ground. Shifting a tenth of the weight from one pair of opposite corners
+// to the other changes the result by half a percent.
+struct Slab {
+    double side = 1.0;      // m, of its square
+    double height = 0.2;    // m
+    double friction = 0.3;  // mu
+    double gravity = 9.81;  // m/s^2
+};
+
+// Distance from start to stop [m] for `speed` [m/s] and `spin` [rad/s], not both zero.
+double slide_of(const Slab& slab, double speed, double spin);
 
 struct Ride {
     double speed = 4.0;   // m/s

@@ -68,7 +68,7 @@ void add_rides(Chapter& chapter, double speed, const std::string& seconds, const
             for (const Steps& steps : both_steps) {
                 chapter.add(steps, name, seam_floor({.speed = speed, .angle = angle, .uneven = uneven}), seconds,
                             outcome, {{"twin_distance_m", 1e-6}, {"twin_velocity_m_per_s", 1e-6}},
-                            settling(outcome, {1.5 * seat, 1.5 * seat / steps.dt}), speed == 4.0 && uneven == 0.0);
+                            of_both(outcome, {1.5 * seat, 1.5 * seat / steps.dt}), speed == 4.0 && uneven == 0.0);
             }
         }
     }

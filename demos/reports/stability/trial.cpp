@@ -3,7 +3,6 @@
 #include "demos/platform/child_process.h"
 #include "demos/platform/output_file.h"
 #include "demos/reports/pieces.h"
-#include "demos/reports/stability/measures.h"
 #include "demos/scenes/scene_file.h"
 #include "demos/text/errors.h"
 #include "demos/text/json_reader.h"

@@ -55,7 +55,7 @@ TEST_CASE("a settled step allocates nothing") {
         if (one.name.ends_with("falling")) continue;
         // Sharing work between threads allocates.
         const auto choices = demos::run_of(one.scene, one.options).on_one_thread();
-        const MeasuredState moment = moment_at(choices, one.start, [] {});
+        const auto moment = moment_at(choices, one.start, [] {});
         const Counts counts = count_steps(moment);
         Walk walk(moment);
         walk.go(Walk::steps_counted);  // until what is solved now and then is planned too

@@ -15,6 +15,8 @@ using namespace pushfactor::tests;
 
 namespace {
 
+using Method = engine::IslandSolver::Method;
+
 constexpr const char* two_scenes = "pushfactor report cost --quick --only intersecting-stack,pendulum-wave --out .";
 
 // cost.csv by column names, without the line about the machine.
@@ -47,8 +49,8 @@ struct Table {
 };
 
 Ledger counted(const Choices& choices, double start) {
-    const MeasuredState moment = moment_at(choices, start, [] {});
-    return {.parts = parts_of(moment.build(), moment.settings), .counts = count_steps(moment), .times = {}};
+    const Choices moment = moment_at(choices, start, [] {});
+    return {.parts = parts_of(build_scene(moment), moment.settings), .counts = count_steps(moment), .times = {}};
 }
 
 }  // namespace
@@ -135,14 +137,14 @@ TEST_CASE("a stack at rest keeps its forces: it checks them and neither solves n
     CHECK(at_rest.touches == 5.0);
     CHECK(at_rest.contact_rows == 20.0);
     CHECK(at_rest.friction_rows == 40.0);
-    CHECK(at_rest.islands[static_cast<std::size_t>(IslandKind::thread)].kept == 1.0);
+    CHECK(at_rest.islands[static_cast<std::size_t>(IslandKind::thread)].of(Method::kept) == 1.0);
     CHECK(at_rest.islands[static_cast<std::size_t>(IslandKind::thread)].all() == 1.0);
     CHECK(at_rest.sweeps == 0.0);
     CHECK(at_rest.row_updates == 0.0);
     CHECK(at_rest.multiply_adds == 12.0 * 60.0);  // one look at each row
 
     const Counts swept = counted(run_of("stack", {{"solver", "pgs"}, {"tolerance", "0"}}), 10.0).counts;
-    CHECK(swept.islands[static_cast<std::size_t>(IslandKind::thread)].swept == 1.0);
+    CHECK(swept.islands[static_cast<std::size_t>(IslandKind::thread)].of(Method::swept) == 1.0);
     CHECK(swept.sweeps == 25.0);
     CHECK(swept.row_updates == 25.0 * 60.0 * swept.columns);
     CHECK(swept.multiply_adds == 24.0 * swept.row_updates);
@@ -150,7 +152,7 @@ TEST_CASE("a stack at rest keeps its forces: it checks them and neither solves n
 
 TEST_CASE("scenes side by side do the work of the sum of their parts, and none moves for another's sake") {
     for (const Neighbours& scenes : neighbours(true)) {
-        INFO(scenes.name);
+        INFO(scenes.together.name);
         const SumOfParts sum = measure(scenes, 1, [] {});
         CHECK(sum.islands > 1.0);
         CHECK(sum.parts_multiply_adds > 1000.0);
@@ -164,7 +166,7 @@ TEST_CASE("scenes side by side do the work of the sum of their parts, and none m
 // factorisations.
 TEST_CASE("while a ball rolls over a heap no exact solution is tried in vain") {
     for (const Neighbours& scenes : neighbours(false)) {
-        if (scenes.name != "tower of 20 and pit of 200 balls") continue;
+        if (scenes.together.name != "tower of 20 and pit of 200 balls") continue;
         CHECK(measure(scenes, 1, [] {}).parts_multiply_adds < 5e6);  // measured 1.7e6, and 5.3e7 with the vain ones
         return;
     }
@@ -176,10 +178,10 @@ TEST_CASE("the ledger counts the islands of a scene by kind and by what is done 
         return counts.islands[static_cast<std::size_t>(kind)];
     };
     const Counts wave = counted(run_of("pendulum-wave", {}), 1.0).counts;
-    CHECK(islands_of(wave, IslandKind::single).swept == 50.0);
+    CHECK(islands_of(wave, IslandKind::single).of(Method::swept) == 50.0);
     CHECK(islands_of(wave, IslandKind::thread).all() == 0.0);
     const Counts chain = counted(run_of("chain", {}), 1.0).counts;
-    CHECK(islands_of(chain, IslandKind::thread).exact == 1.0);
+    CHECK(islands_of(chain, IslandKind::thread).of(Method::exact) == 1.0);
     const Counts funnel = counted(run_of("funnel", {}), 10.0).counts;
     CHECK(islands_of(funnel, IslandKind::heap).all() == 1.0);
 }

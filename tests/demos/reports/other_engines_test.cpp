@@ -1,5 +1,5 @@
 // Other engines beside our methods on the page of report error.
-#include "demos/reports/error/points.h"
+#include "demos/reports/error/error.h"
 #include "tests/catch.h"
 #include "tests/demos/program.h"
 

@@ -1,7 +1,6 @@
 // The report on measured motion: closed forms, the measured tosses, what symmetry says of dice, and its files.
 #include "demos/platform/assets.h"
 #include "demos/reports/reality/sections.h"
-#include "demos/reports/reality/toss_fit.h"
 #include "demos/scenes/scene_file.h"
 #include "demos/text/errors.h"
 #include "tests/catch.h"
@@ -42,8 +41,8 @@ TEST_CASE("the measured tosses are all there, turn as they say they do and fall"
         // Of a straight line through the first five poses; the authors' velocities are smoothed, too.
         const Restart start = restart(toss, 2);
         const double from_start = 2.0 / frames_per_second;
-        CHECK((start.velocity - toss.velocity - from_start * Vector3(0, -9.81, 0)).norm() < 0.15);
-        CHECK((start.angular_velocity - toss.angular_velocity).norm() < 1.0);
+        CHECK((start.velocity - toss.start.velocity - from_start * Vector3(0, -9.81, 0)).norm() < 0.15);
+        CHECK((start.angular_velocity - toss.start.angular_velocity).norm() < 1.0);
         CHECK(!bounces(toss, -0.0012).empty());
     }
 }
@@ -62,7 +61,7 @@ TEST_CASE("a toss in flight is a parabola, and one onto the board stays above it
 TEST_CASE("the scene of a toss is what is judged, with its measured motion") {
     const Toss toss = read_tosses(asset_folder("measured")).at(3);
     const Law law{0.18, 0.1, -0.0012};
-    const PoseError judged = mean_error(toss, computed(start_of(toss), law, toss.frames.size()));
+    const PoseError judged = mean_error(toss, computed(toss.start, law, toss.frames.size()));
     const Folder folder;
     folder.write("toss.json", scene_file_text(scene_of(toss, law)));
     require_success(folder, "pushfactor run toss.json --errors errors.csv");
@@ -84,7 +83,7 @@ TEST_CASE("one law of contact follows the tosses to 13.5 % of an edge, and anoth
         for (std::size_t t = 1; t < tosses.size(); t += 2) {
             const Toss& toss = tosses[t];
             const Law law{friction, 0.1, -0.0012};
-            all.push_back(mean_error(toss, computed(start_of(toss), law, toss.frames.size())).position);
+            all.push_back(mean_error(toss, computed(toss.start, law, toss.frames.size())).position);
         }
         return mean_of(all).value;
     };
@@ -94,8 +93,8 @@ TEST_CASE("one law of contact follows the tosses to 13.5 % of an edge, and anoth
 }
 
 TEST_CASE("a cube shows each pair of faces as often, a plate and a rod hardly ever their sides") {
-    const Bounce bounce{0.3, 0.5};
-    const auto share = [&](double length) { return square_faces(length, bounce, 0, 1000, [] {}) / 1000.0; };
+    const Law law{0.3, 0.5};
+    const auto share = [&](double length) { return square_faces(length, law, 0, 1000, [] {}) / 1000.0; };
     const double deviation = std::sqrt(1.0 / 3.0 * 2.0 / 3.0 / 1000.0);
     CHECK(std::abs(share(1.0) - 1.0 / 3.0) < 3.0 * deviation);
     CHECK(share(0.1) > 0.98);

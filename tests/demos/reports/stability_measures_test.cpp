@@ -1,7 +1,6 @@
 // The measures of the stability report on known motions.
-#include "demos/reports/stability/measures.h"
 #include "demos/reports/stability/scenes.h"
-#include "demos/reports/stability/slab_slide.h"
+#include "demos/reports/stability/trial.h"
 #include "tests/catch.h"
 
 #include <cmath>
