@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <memory>
 
 namespace pushfactor::demos::reports {
 
@@ -20,12 +19,11 @@ namespace {
 using namespace atlas;
 
 std::string key_of(const std::string& what, const AtlasCell& cell) {
-    return fmt::format("atlas: {} of {}", what, run_key(cell.map->scene, cell.options()));
+    return fmt::format("atlas: {} of {}", what, run_key(cell.scene, cell.options));
 }
 
-// The cell as a piece of the report. The map must outlive the piece.
 Piece piece_of(const AtlasCell& cell) {
-    return {key_of(cell.map->measure.key, cell), [cell](const StopCheck& check) {
+    return {key_of(cell.measure, cell), [cell](const StopCheck& check) {
                 const auto [outcome, value] = run_cell(cell, check);
                 return Json{{"outcome", outcome}, {"value", json_number(value)}};
             }};
@@ -34,11 +32,11 @@ Piece piece_of(const AtlasCell& cell) {
 // A page that plays the run of the cell, as a piece whose result is its text; and the name of its file.
 Piece replay_piece_of(const AtlasCell& cell) {
     return {key_of("replay", cell),
-            [cell](const StopCheck& check) { return Json(replay_of(cell.map->scene, cell.options(), check)); }};
+            [cell](const StopCheck& check) { return Json(replay_of(cell.scene, cell.options, check)); }};
 }
 
-std::string replay_file(const AtlasCell& cell) {
-    std::string name = fmt::format("{}_{}_{}_{}", cell.map->x.option, cell.x, cell.map->y.option, cell.y);
+std::string replay_file(const AtlasMap& map, const AtlasCell& cell) {
+    std::string name = fmt::format("{}_{}_{}_{}", map.x.option, cell.x, map.y.option, cell.y);
     std::ranges::replace(name, '/', '-');
     return "cells/" + name + ".html";
 }
@@ -49,17 +47,12 @@ std::vector<AtlasMap> maps_of(const StudyRequest& request) {
 }
 
 Pieces atlas_pieces(const StudyRequest& request) {
-    // Cells refer to their maps.
-    const auto maps = std::make_shared<const std::vector<AtlasMap>>(maps_of(request));
     Pieces pieces;
-    const auto add = [&](const Piece& piece) {
-        pieces.push_back({piece.key, [maps, make = piece.make](const auto& check) { return make(check); }});
-    };
-    for (const AtlasMap& map : *maps) {
+    for (const AtlasMap& map : maps_of(request)) {
         if (!request.grid && !request.wants(map.name)) continue;
-        for (const AtlasCell& cell : cells_of(map)) add(piece_of(cell));
+        for (const AtlasCell& cell : cells_of(map)) pieces.push_back(piece_of(cell));
         if (!request.grid) continue;
-        for (const AtlasCell& cell : cells_with_replay(map, *request.grid)) add(replay_piece_of(cell));
+        for (const AtlasCell& cell : cells_with_replay(map, *request.grid)) pieces.push_back(replay_piece_of(cell));
     }
     return pieces;
 }
@@ -80,8 +73,8 @@ void add_replays(const AtlasMap& map, StudyRun& run, SectionContent& plate) {
     if (cells.empty()) return;
     make_folder(run.folder() / "cells");
     for (const AtlasCell& cell : cells) {
-        run.write(replay_file(cell), run.result(replay_piece_of(cell).key).get<std::string>());
-        plate.replays.push_back(replay_file(cell));
+        run.write(replay_file(map, cell), run.result(replay_piece_of(cell).key).get<std::string>());
+        plate.replays.push_back(replay_file(map, cell));
     }
 }
 
@@ -114,32 +107,32 @@ void make_atlas(StudyRun& run) {
 
 }  // namespace
 
-OptionTexts atlas::AtlasCell::options() const {
-    OptionTexts options = map->common;
-    options.insert(options.end(), {{map->x.option, x}, {map->y.option, y}});
-    return options;
+AtlasCell atlas::cell_at(const AtlasMap& map, const std::string& x, const std::string& y) {
+    AtlasCell cell{map.scene, x, y, map.common, map.measure.key};
+    cell.options.insert(cell.options.end(), {{map.x.option, x}, {map.y.option, y}});
+    return cell;
 }
 
 std::vector<AtlasCell> atlas::cells_of(const AtlasMap& map) {
     std::vector<AtlasCell> cells;
     for (const std::string& y : map.y.values) {
-        for (const std::string& x : map.x.values) cells.push_back({&map, x, y});
+        for (const std::string& x : map.x.values) cells.push_back(cell_at(map, x, y));
     }
     return cells;
 }
 
 std::string atlas::command_of(const AtlasCell& cell) {
-    return command_text("run", cell.map->scene, cell.options());
+    return command_text("run", cell.scene, cell.options);
 }
 
 CellResult atlas::run_cell(const AtlasCell& cell, const StopCheck& check) {
-    const Choices choices = run_of(cell.map->scene, cell.options());
+    const Choices choices = run_of(cell.scene, cell.options);
     Simulation run(choices);
     Measurements measurements(run);
     const bool finite = play_to_end(run, check, measurements);
     // The summary may have no such number, as a drift after 10 s in a shorter run.
     const Json summary = parse_json(summary_text(choices, run, measurements));
-    const auto number = summary.find(cell.map->measure.key);
+    const auto number = summary.find(cell.measure);
     const bool has_number = number != summary.end() && number->is_number();
     return {std::string(finite ? name_of(measurements.outcome()) : non_finite),
             has_number ? number->get<double>() : std::numeric_limits<double>::quiet_NaN()};

@@ -58,12 +58,15 @@ std::vector<AtlasMap> atlas_maps(bool quick = false);
 // run accepts and for a measure that the summary lacks.
 AtlasMap grid_map(const GridRequest& request);
 
+// A run of a map.
 struct AtlasCell {
-    const AtlasMap* map;
-    std::string x, y;  // values of the axes
-
-    OptionTexts options() const;  // of its run
+    std::string scene, x, y;  // the values of the axes
+    OptionTexts options;      // of the run, with these values
+    std::string measure;      // in the summary
 };
+
+// The cell at these values, which need not be among those of the axes.
+AtlasCell cell_at(const AtlasMap& map, const std::string& x, const std::string& y);
 
 // Cells of a map, row by row from below; and those whose replays were asked for.
 std::vector<AtlasCell> cells_of(const AtlasMap& map);

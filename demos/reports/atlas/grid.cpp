@@ -193,7 +193,7 @@ std::vector<AtlasCell> cells_with_replay(const AtlasMap& map, const GridRequest&
         if (parts.size() != 2 || !has(map.x, parts[0]) || !has(map.y, parts[1])) {
             refuse("--replays", text, "must be all, or X:Y with a value of each axis as its table has it");
         }
-        chosen.push_back({&map, std::string(parts[0]), std::string(parts[1])});
+        chosen.push_back(cell_at(map, std::string(parts[0]), std::string(parts[1])));
     }
     return chosen;
 }

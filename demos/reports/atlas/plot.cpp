@@ -102,7 +102,7 @@ std::string short_number(double value) {
 
 Section atlas_section(const AtlasMap& map, const std::vector<CellResult>& results,
                       const std::filesystem::path& folder) {
-    const std::string command = command_of({&map, "X", "Y"});  // of all cells, with X and Y for the values
+    const std::string command = command_of(cell_at(map, "X", "Y"));  // of all cells, with X and Y for the values
     Section section{map.name, map.title};
     section.content.caption = fmt::format("{} The numbers: {} of the summary.", map.caption, map.measure.key);
     section.content.commands = {command};

@@ -86,7 +86,7 @@ ErrorPoint run_point(const Experiment& sweep, const Method& method, const std::s
 
 // The points of sweeps as pieces, and the point of a result.
 std::string key_of(const Experiment& sweep, const Method& method, const std::string& value);
-Pieces point_pieces(std::vector<Experiment> sweeps);
+Pieces point_pieces(const std::vector<Experiment>& sweeps);
 ErrorPoint point_in(const Json& result, const Method& method);
 
 // The smallest value that at least 95 % of `values`, which is not empty, do not exceed.

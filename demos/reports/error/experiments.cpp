@@ -124,7 +124,9 @@ Values values_of(const std::string& knob, bool quick) {
     return words_of(quick ? "1/60 1/120 1/240" : "1/60 1/120 1/240 1/480 1/960 1/1920 1/3840");
 }
 
-std::vector<Experiment> all_experiments(bool quick) {
+}  // namespace
+
+std::vector<Experiment> error_experiments(bool quick) {
     Methods standing = solvers(true), parting = solvers(true);
     standing.push_back(method("pgs, warm, 4 a substep", "solver=pgs iterations=4 tolerance=0", "substeps", "blue",
                               dotted, filled_triangle));
@@ -137,6 +139,9 @@ std::vector<Experiment> all_experiments(bool quick) {
                          Methods methods) -> Experiment& {
         OptionTexts texts = options("preset=default " + common);
         texts.emplace_back("seconds", quick ? short_run : full);
+        for (Method& each : methods) {
+            if (each.values.empty()) each.values = values_of(each.knob, quick);
+        }
         return all.emplace_back(
             Experiment{scene, scene, title, texts, std::move(error), error_axis, caption, std::move(methods)});
     };
@@ -211,18 +216,6 @@ std::vector<Experiment> all_experiments(bool quick) {
         cold_solvers)
         .contraction = column_contraction(10);
     return all;
-}
-
-}  // namespace
-
-std::vector<Experiment> error_experiments(bool quick) {
-    std::vector<Experiment> sweeps = all_experiments(quick);
-    for (Experiment& sweep : sweeps) {
-        for (Method& method : sweep.methods) {
-            if (method.values.empty()) method.values = values_of(method.knob, quick);
-        }
-    }
-    return sweeps;
 }
 
 std::string differences(const Experiment& sweep, const Method& method) {

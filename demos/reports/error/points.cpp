@@ -12,7 +12,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <memory>
 #include <numeric>
 
 namespace pushfactor::demos::reports::error {
@@ -130,14 +129,13 @@ std::string key_of(const Experiment& sweep, const Method& method, const std::str
                        sweep.clock_seconds ? fmt::format(" over {} s", *sweep.clock_seconds) : "");
 }
 
-Pieces point_pieces(std::vector<Experiment> sweeps) {
-    const auto all = std::make_shared<const std::vector<Experiment>>(std::move(sweeps));
+Pieces point_pieces(const std::vector<Experiment>& sweeps) {
     Pieces pieces;
-    for (const Experiment& sweep : *all) {
+    for (const Experiment& sweep : sweeps) {
         for (const Method& method : sweep.methods) {
             for (const std::string& value : method.values) {
                 pieces.push_back(
-                    {key_of(sweep, method, value), [all, &sweep, &method, value](const auto& check) {
+                    {key_of(sweep, method, value), [sweep, method, value](const StopCheck& check) {
                          return Json(exact_rows(table_of({run_point(sweep, method, value, timed_runs, check)})));
                      }});
             }

@@ -31,6 +31,8 @@ void add_error(const Pose& measured, const Pose& computed, ErrorsAt& errors) {
     errors.angle.push_back(error.angle);
 }
 
+using Frame = std::optional<std::size_t>;  // of a toss, where it has such a one
+
 // The errors at a frame of each toss that `frame_of` gives for a number from 0 on and the contacts of the toss,
 // while there are enough tosses.
 template <typename FrameOf>
@@ -40,7 +42,7 @@ std::vector<ErrorsAt> errors_at(const Tosses& tosses, const Judged& judged, cons
     while (true) {
         ErrorsAt errors;
         for (std::size_t t = 0; t < tosses.size(); ++t) {
-            const std::optional<std::size_t> frame = frame_of(all.size(), tosses[t], bounces(tosses[t], law.board));
+            const Frame frame = frame_of(all.size(), tosses[t], bounces(tosses[t], law.board));
             if (frame) add_error(tosses[t].frames[*frame], judged.poses[t][*frame], errors);
         }
         if (errors.position.size() < fewest) return all;
@@ -163,8 +165,7 @@ Judged judge(const Engine& engine, const Tosses& tosses, const Law& law) {
 
 std::vector<ErrorsAt> errors_over_time(const Tosses& tosses, const Judged& judged, const Law& law) {
     constexpr auto longest = static_cast<std::size_t>(0.6 * frames_per_second);
-    const auto frame_of = [](std::size_t since, const Toss& toss,
-                             const std::vector<std::size_t>& contacts) -> std::optional<std::size_t> {
+    const auto frame_of = [](std::size_t since, const Toss& toss, const auto& contacts) -> Frame {
         if (since > longest || contacts.empty() || contacts.front() + since >= toss.frames.size()) return {};
         return contacts.front() + since;
     };
@@ -174,8 +175,7 @@ std::vector<ErrorsAt> errors_over_time(const Tosses& tosses, const Judged& judge
 }
 
 std::vector<ErrorsAt> errors_by_bounce(const Tosses& tosses, const Judged& judged, const Law& law) {
-    const auto frame_of = [](std::size_t bounce, const Toss& toss,
-                             const std::vector<std::size_t>& contacts) -> std::optional<std::size_t> {
+    const auto frame_of = [](std::size_t bounce, const Toss& toss, const auto& contacts) -> Frame {
         if (bounce >= contacts.size()) return {};
         return (bounce + 1 == contacts.size() ? toss.frames.size() : contacts[bounce + 1]) - 1;
     };

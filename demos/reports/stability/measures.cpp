@@ -1,6 +1,4 @@
-// The measures.
-//
-// Symbols: x position [m], v velocity [m/s], w angular velocity [rad/s].
+// The measures by which cases are judged.
 #include "demos/reports/stability/trial.h"
 #include "demos/text/csv.h"
 #include "demos/text/numbers.h"
@@ -20,7 +18,7 @@ using engine::Vector3;
 
 struct State {
     double time = 0.0;  // s
-    Vector3 x, v, w;
+    Vector3 x, v, w;    // m, m/s, rad/s
     Quaternion orientation;
 
     Vector3 turning() const { return orientation.conjugate() * w; }  // body frame
@@ -214,37 +212,35 @@ Values largest_force(const Evidence& run) {
 }
 
 struct Measure {
-    std::string_view name, output;
+    std::string_view name;
     Take take;
+    std::string_view output = "trajectory";  // that it needs
 };
 
 const std::vector<Measure> measures{
-    {"slide_m", "trajectory",
-     each([](const Track& track) { return level_distance(track.states.back(), track.start()); })},
-    {"farthest_m", "trajectory", largest(level_distance)},
-    {"sideways_m", "trajectory", largest(sideways)},
-    {"deflection_m_per_s", "trajectory",
+    {"slide_m", each([](const Track& track) { return level_distance(track.states.back(), track.start()); })},
+    {"farthest_m", largest(level_distance)},
+    {"sideways_m", largest(sideways)},
+    {"deflection_m_per_s",
      largest([](const State& state, const State& start) { return (state.v - start.v).norm(); })},
-    {"acceleration_m_per_s2", "trajectory", each(acceleration)},
-    {"last_speed_m_per_s", "trajectory", each([](const Track& track) { return track.states.back().v.norm(); })},
-    {"spin_rad_per_s", "trajectory", largest([](const State& state, const State&) { return state.w.norm(); })},
-    {"vertical_spin_rad_per_s", "trajectory",
-     largest([](const State& state, const State&) { return std::abs(state.w.y()); })},
-    {"turned_rad", "trajectory", each(turned_angle)},
-    {"swing_period_s", "trajectory", each(swing_period)},
-    {"twin_distance_m", "trajectory",
-     twins([](const State& state, const State& start) -> Vector3 { return state.x - start.x; })},
-    {"twin_velocity_m_per_s", "trajectory", twins([](const State& state, const State&) { return state.v; })},
+    {"acceleration_m_per_s2", each(acceleration)},
+    {"last_speed_m_per_s", each([](const Track& track) { return track.states.back().v.norm(); })},
+    {"spin_rad_per_s", largest([](const State& state, const State&) { return state.w.norm(); })},
+    {"vertical_spin_rad_per_s", largest([](const State& state, const State&) { return std::abs(state.w.y()); })},
+    {"turned_rad", each(turned_angle)},
+    {"swing_period_s", each(swing_period)},
+    {"twin_distance_m", twins([](const State& state, const State& start) -> Vector3 { return state.x - start.x; })},
+    {"twin_velocity_m_per_s", twins([](const State& state, const State&) { return state.v; })},
     // Of the centre below height 0.
-    {"depth_m", "trajectory", largest([](const State& state, const State&) { return -state.x.y(); })},
-    {"spread_of_5_apexes_m", "trajectory", each(apex_spread)},
-    {"relative_energy_change", "trajectory", each(energy_change)},
-    {"relative_spin_change", "trajectory", each(spin_change)},
-    {"relative_angular_momentum_change", "trajectory", each(angular_momentum_change)},
-    {"penetration_at_end_m", "csv",
-     [](const Evidence& run) { return Values{run.outputs.at("csv").at("max_penetration_m").back()}; }},
-    {"largest_force_n", "rows", largest_force},
-    {"energy_change_at_end_j", "", energy_change_at_end},
+    {"depth_m", largest([](const State& state, const State&) { return -state.x.y(); })},
+    {"spread_of_5_apexes_m", each(apex_spread)},
+    {"relative_energy_change", each(energy_change)},
+    {"relative_spin_change", each(spin_change)},
+    {"relative_angular_momentum_change", each(angular_momentum_change)},
+    {"penetration_at_end_m",
+     [](const Evidence& run) { return Values{run.outputs.at("csv").at("max_penetration_m").back()}; }, "csv"},
+    {"largest_force_n", largest_force, "rows"},
+    {"energy_change_at_end_j", energy_change_at_end, ""},
 };
 
 const Measure* find(const std::string& name) {

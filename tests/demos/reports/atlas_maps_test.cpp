@@ -19,7 +19,7 @@ AtlasMap map_named(const std::string& name) {
 }
 
 CellResult result_of(const AtlasMap& map, const std::string& x, const std::string& y) {
-    return run_cell({&map, x, y}, [] {});
+    return run_cell(cell_at(map, x, y), [] {});
 }
 
 bool has_look(std::string_view outcome) {
