@@ -103,49 +103,45 @@ renderer::Image draw(pictures::OffscreenRenderer& offscreen, const pictures::Siz
 class Gallery {
   public:
     // Pictures are written to `folder`. Without an offscreen context there are none.
-    explicit Gallery(const std::filesystem::path& folder);
+    explicit Gallery(const std::filesystem::path& folder) {
+        try {
+            output_ = std::make_unique<figures::FigureOutput>(
+                folder, FigureFormat{.width = columns * thumbnail.width, .samples = samples});
+        } catch (const renderer::RendererError& error) {
+            missing_ = error.what();
+        }
+    }
 
     // The reason why there are no pictures, one line; empty if there are.
     const std::string& missing() const { return missing_; }
 
     // Writes NAME.png and returns that name; empty without pictures. Throws OutputError.
-    std::string hang(const std::string& name, std::span<const Trial> trials);
+    std::string hang(const std::string& name, std::span<const Trial> trials) {
+        std::vector<const Trial*> shown;
+        for (const Trial& trial : trials) {
+            if (output_ && std::filesystem::exists(trial.state())) shown.push_back(&trial);
+        }
+        if (shown.empty()) return {};
+        const int across = std::min(columns, static_cast<int>(shown.size()));
+        const int rows = (static_cast<int>(shown.size()) + across - 1) / across;
+        const pictures::Layout layout =
+            pictures::grid({across * thumbnail.width, rows * thumbnail.height}, across, rows);
+        std::vector<renderer::Image> images;
+        for (const Trial* trial : shown) images.push_back(draw(output_->offscreen(), layout.cell, *trial));
+        renderer::Image sheet = pictures::assemble(layout, images);
+        for (std::size_t i = 0; i < shown.size(); ++i) {
+            const Trial& trial = *shown[i];
+            const std::string label = fmt::format("{}, {}: {}{}", trial.one().name, trial.expected().preset,
+                                                  trial.outcome(), trial.holds() ? "" : " (not as expected)");
+            output_->offscreen().lettering().name(sheet, layout.place(i), label, letters);
+        }
+        return output_->save(sheet, name);
+    }
 
   private:
     std::string missing_;
     std::unique_ptr<figures::FigureOutput> output_;
 };
-
-Gallery::Gallery(const std::filesystem::path& folder) {
-    try {
-        output_ = std::make_unique<figures::FigureOutput>(
-            folder, FigureFormat{.width = columns * thumbnail.width, .samples = samples});
-    } catch (const renderer::RendererError& error) {
-        missing_ = error.what();
-    }
-}
-
-std::string Gallery::hang(const std::string& name, std::span<const Trial> trials) {
-    std::vector<const Trial*> shown;
-    for (const Trial& trial : trials) {
-        if (output_ && std::filesystem::exists(trial.state())) shown.push_back(&trial);
-    }
-    if (shown.empty()) return {};
-    const int across = std::min(columns, static_cast<int>(shown.size()));
-    const int rows = (static_cast<int>(shown.size()) + across - 1) / across;
-    const pictures::Layout layout =
-        pictures::grid({across * thumbnail.width, rows * thumbnail.height}, across, rows);
-    std::vector<renderer::Image> images;
-    for (const Trial* trial : shown) images.push_back(draw(output_->offscreen(), layout.cell, *trial));
-    renderer::Image sheet = pictures::assemble(layout, images);
-    for (std::size_t i = 0; i < shown.size(); ++i) {
-        const Trial& trial = *shown[i];
-        const std::string label = fmt::format("{}, {}: {}{}", trial.one().name, trial.expected().preset,
-                                              trial.outcome(), trial.holds() ? "" : " (not as expected)");
-        output_->offscreen().lettering().name(sheet, layout.place(i), label, letters);
-    }
-    return output_->save(sheet, name);
-}
 
 // "|acceleration_m_per_s2 - 0.4063| / 2"
 std::string text_of_measure(const Check& check) {

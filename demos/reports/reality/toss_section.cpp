@@ -14,7 +14,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <numeric>
 
 namespace pushfactor::demos::reports::reality {
@@ -201,15 +200,14 @@ SceneDescription scene_of(const Toss& toss, const Law& law) {
 void add_tosses(StudyRun& run) {
     const std::vector<OtherEngine> engines = read_others(run.request().beside);
     const Tosses all = read_tosses(asset_folder("measured"));
-    const auto fitted = std::make_shared<const Tosses>(half_of(all, 0, run.quick()));
-    const Tosses others = half_of(all, 1, run.quick());
-    const LawGrid grid = law_grid(*fitted, run.quick());
+    const Tosses fitted = half_of(all, 0, run.quick()), others = half_of(all, 1, run.quick());
+    const LawGrid grid = law_grid(fitted, run.quick());
     Pieces pieces;
     for (const double friction : grid.frictions) {
-        pieces.push_back({fmt::format("reality: {} tosses, friction {}, {} restitutions", fitted->size(), friction,
-                                      grid.restitutions.size()),
-                          [=](const StopCheck& check) {
-                              return json_numbers(errors_with(computed, *fitted, grid, friction, check));
+        const std::string key = fmt::format("reality: {} tosses, friction {}, {} restitutions", fitted.size(),
+                                            friction, grid.restitutions.size());
+        pieces.push_back({key, [&, friction](const StopCheck& check) {
+                              return json_numbers(errors_with(computed, fitted, grid, friction, check));
                           }});
     }
     run.gather(pieces);
@@ -243,7 +241,7 @@ void add_tosses(StudyRun& run) {
         "tosses, of shares after Wilson. In flight the error is that of the measured poses and velocities; "
         "restarts keep chaos out of what contacts add. In the replays the computed cube hides the measured one "
         "(ivory) where they agree.{}",
-        all.size(), fitted->size(), others.size(),
+        all.size(), fitted.size(), others.size(),
         engines.empty() ? ""
                         : " Other engines have the same fit, each its own law; tests/compare reality made them.");
     add_plot({.script = "toss_errors",
