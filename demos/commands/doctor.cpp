@@ -1,6 +1,5 @@
 #include "demos/commands/commands.h"
-#include "demos/pictures/graphics_check.h"
-#include "demos/pictures/lettering.h"
+#include "demos/pictures/offscreen_renderer.h"
 #include "demos/platform/assets.h"
 #include "demos/platform/child_process.h"
 #include "demos/platform/output_file.h"

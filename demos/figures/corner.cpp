@@ -67,11 +67,13 @@ void draw(FigureOutput& output, const Simulation& run, const Corner& corner, con
     const float letters = output.letters(50.0f);
     for (std::size_t i = 0; i < 2; ++i) {
         const Vector3 beside = corner.points[i] - 0.13 * corner.axes[i];
-        const auto [x, y] = pictures::place_in_picture(beside, view, static_cast<double>(size.width) / size.height);
-        sheet.texts.push_back({i == 0 ? "a" : "b",
-                               {static_cast<float>(x * size.width), static_cast<float>(y * size.height)},
-                               letters,
-                               true});
+        const Eigen::Vector2d place =
+            pictures::place_in_picture(beside, view, static_cast<double>(size.width) / size.height);
+        sheet.texts.push_back(
+            {i == 0 ? "a" : "b",
+             {static_cast<float>(place.x() * size.width), static_cast<float>(place.y() * size.height)},
+             letters,
+             true});
     }
 }
 

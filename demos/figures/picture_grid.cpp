@@ -1,7 +1,6 @@
 #include "demos/figures/picture_grid.h"
 
 #include "demos/options/simulation_options.h"
-#include "demos/pictures/camera/composition.h"
 #include "demos/pictures/camera/framing.h"
 #include "demos/pictures/camera/layout.h"
 #include "demos/pictures/camera/survey.h"

@@ -1,6 +1,5 @@
 #include "demos/pictures/draw_list.h"
 
-#include "demos/pictures/camera/plane_outline.h"
 #include "demos/pictures/to_glm.h"
 #include "demos/text/errors.h"
 #include "engine/collision/polyhedron.h"
@@ -56,11 +55,7 @@ double least_radius(const BuiltScene& scene) {
 }
 
 void add_bar(const Vector3& from, const Vector3& to, double radius, renderer::Picture& picture) {
-    renderer::Bar bar;
-    bar.from = to_glm(from);
-    bar.to = to_glm(to);
-    bar.radius = static_cast<float>(radius);
-    picture.bars.push_back(bar);
+    picture.bars.push_back({.from = to_glm(from), .to = to_glm(to), .radius = static_cast<float>(radius)});
 }
 
 // A zigzag that closes as the spring is compressed.
@@ -108,7 +103,64 @@ renderer::Polyhedron shape_of(const PolyhedronShape& polyhedron, Shapes& shapes)
     return known = std::make_shared<const renderer::ConvexShape>(std::move(shape));
 }
 
+using Polygon = std::vector<Vector3>;
+
+// Sutherland-Hodgman clipping: keeps the part on the side of `normal` of the plane through `point`.
+Polygon clip(const Polygon& polygon, const Vector3& normal, const Vector3& point) {
+    Polygon result;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const Vector3& from = polygon[i];
+        const Vector3& to = polygon[(i + 1) % polygon.size()];
+        const double in_from = normal.dot(from - point);
+        const double in_to = normal.dot(to - point);
+        if (in_from >= 0.0) result.push_back(from);
+        if ((in_from >= 0.0) != (in_to >= 0.0))
+            result.push_back(from + (to - from) * (in_from / (in_from - in_to)));
+    }
+    return result;
+}
+
+double area(const Polygon& polygon) {
+    Vector3 twice = Vector3::Zero();
+    for (std::size_t i = 2; i < polygon.size(); ++i) {
+        twice += (polygon[i - 1] - polygon[0]).cross(polygon[i] - polygon[0]);
+    }
+    return 0.5 * twice.norm();
+}
+
 }  // namespace
+
+bool is_level(const engine::Body& plane) {
+    return (plane.orientation * Vector3::UnitY()).y() > 0.9999;
+}
+
+std::optional<double> ground_height(const BuiltScene& scene) {
+    std::optional<double> height = scene.view.floor;
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+        const engine::Body& body = scene.world.bodies[i];
+        if (std::holds_alternative<PlaneShape>(scene.bodies[i].shape) && is_level(body)) height = body.position.y();
+    }
+    return height;
+}
+
+std::vector<Vector3> plane_outline(const BuiltScene& scene, const engine::Body& plane) {
+    const engine::Matrix3 frame = plane.orientation.toRotationMatrix();
+    const Vector3 up = frame.col(1);
+    const double reach = (scene.view.eye - scene.view.target).norm();
+    const Vector3 middle = scene.view.target - up * up.dot(scene.view.target - plane.position);
+
+    const Vector3 u = reach * frame.col(0);
+    const Vector3 v = reach * frame.col(2);
+    Polygon polygon{middle + u + v, middle + u - v, middle - u - v, middle - u + v};
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+        const engine::Body& other = scene.world.bodies[i];
+        if (&other == &plane || !std::holds_alternative<PlaneShape>(scene.bodies[i].shape)) continue;
+        polygon = clip(polygon, other.orientation * Vector3::UnitY(), other.position);
+    }
+    // Cut at a rim that is inside the picture.
+    polygon = clip(polygon, -Vector3::UnitY(), scene.view.target + Vector3(0, 0.09 * reach, 0));
+    return area(polygon) > 1e-4 * reach * reach ? polygon : Polygon{};
+}
 
 renderer::Picture draw_list(const BuiltScene& scene, const View& view) {
     renderer::Picture picture;

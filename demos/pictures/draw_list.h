@@ -24,6 +24,16 @@ std::vector<Link> links_of(const BuiltScene& scene);
 // Colours of the bodies as draw_list() has them, sRGB; those of planes mean nothing.
 std::vector<glm::vec3> colours_of(const BuiltScene& scene);
 
+// Infinite planes: the level one is the ground, and of others the visible part is drawn.
+bool is_level(const engine::Body& plane);
+
+// Of the plane or of the floor that is drawn [m].
+std::optional<double> ground_height(const BuiltScene& scene);
+
+// Corners of the convex polygon of `plane` [m] that is above all other planes of the scene and within view,
+// counter-clockwise as seen from above the plane. None if the area is negligible.
+std::vector<engine::Vector3> plane_outline(const BuiltScene& scene, const engine::Body& plane);
+
 // Throws UsageError for a body whose place or size is too large or too small for pictures and models, whose numbers
 // are floats.
 void require_drawable(const BuiltScene& scene);

@@ -1,6 +1,9 @@
 #include "demos/pictures/offscreen_renderer.h"
 
+#include "demos/pictures/to_glm.h"
 #include "demos/platform/assets.h"
+#include "demos/text/text_hash.h"
+#include "renderer/base/renderer_error.h"
 
 #include <optional>
 
@@ -12,6 +15,20 @@ std::optional<renderer::ContextKind> kind_of(const std::string& gl) {
     if (gl == "osmesa") return renderer::ContextKind::osmesa;
     if (gl == "egl") return renderer::ContextKind::egl;
     return std::nullopt;
+}
+
+// A ball beside a stack of three cubes, in the colours of the palette.
+renderer::Picture test_picture() {
+    renderer::Picture picture;
+    picture.camera = {.eye = {3.0f, 2.6f, 7.0f}, .target = {0.4f, 1.2f, 0.0f}};
+    picture.ground = renderer::Ground{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        const float height = 0.5f + static_cast<float>(i);
+        picture.bodies.push_back({.position = {0.0f, height, 0.0f}, .colour = to_glm(palette[i])});
+    }
+    picture.bodies.push_back(
+        {.position = {1.6f, 0.5f, 0.5f}, .shape = renderer::Sphere{}, .colour = to_glm(palette[3])});
+    return picture;
 }
 
 }  // namespace
@@ -59,6 +76,27 @@ StageTime time_of_empty_frame(const Size& size, const std::string& gl) {
     }
     const StageTime end = process_time();
     return {.wall = (end.wall - start.wall) / frames, .cpu = (end.cpu - start.cpu) / frames};
+}
+
+Graphics check_graphics(renderer::ContextKind kind) {
+    constexpr Size size{320, 180};
+    Graphics graphics;
+    try {
+        const auto context = renderer::open_offscreen_context(kind);
+        graphics.found = context->library() + ": " + renderer::gl_version_of(*context);
+        renderer::Renderer renderer(*context, size.width, size.height, asset_folder("shaders"));
+        renderer::Image picture = renderer.render(test_picture());
+        const renderer::Rectangle whole{0, 0, size.width, size.height};
+        Lettering().caption(picture, whole, "pushfactor doctor", letter_size(size.height));
+        graphics.picture = std::move(picture);
+    } catch (const renderer::RendererError& error) {
+        graphics.found += (graphics.found.empty() ? "" : "; ") + std::string(error.what());
+    }
+    return graphics;
+}
+
+std::uint64_t hash_of(const renderer::Image& image) {
+    return fnv_hash({reinterpret_cast<const char*>(image.rgb.data()), image.rgb.size()});
 }
 
 }  // namespace pushfactor::demos::pictures

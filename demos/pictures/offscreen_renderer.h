@@ -1,4 +1,4 @@
-// The offscreen context with its renderers and the lettering.
+// The offscreen context with its renderers and the lettering, and whether there is one.
 #pragma once
 
 #include "demos/pictures/film/stage_times.h"
@@ -6,6 +6,7 @@
 #include "renderer/gl/offscreen_context.h"
 #include "renderer/renderer.h"
 
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
@@ -61,5 +62,17 @@ class OffscreenRenderer {
 
 // Mean time per frame of a nearly empty picture.
 StageTime time_of_empty_frame(const Size& size, const std::string& gl);
+
+// A back end, tried.
+struct Graphics {
+    std::string found;        // library, version and renderer, or what is missing and what to install
+    renderer::Image picture;  // the test picture; empty if it could not be drawn
+};
+
+// Opens a context of this kind and draws a small test picture with text. Errors are reported in the result.
+Graphics check_graphics(renderer::ContextKind kind);
+
+// FNV-1a of an image's bytes.
+std::uint64_t hash_of(const renderer::Image& image);
 
 }  // namespace pushfactor::demos::pictures

@@ -87,7 +87,7 @@ Reach reach_of(std::span<const Ball> balls, const View& view) {
     return reach;
 }
 
-Place place_in_picture(const Vector3& point, const View& view, double aspect) {
+Eigen::Vector2d place_in_picture(const Vector3& point, const View& view, double aspect) {
     const Axes axes = axes_of(view);
     const Vector3 offset = point - view.eye;
     const double reach = half_tangent(view) * offset.dot(axes.forward);
@@ -130,8 +130,6 @@ View overview(const View& view, const std::vector<Ball>& start, std::vector<Ball
     reached.insert(reached.end(), start.begin(), start.end());
     return fitted(across(view, reached), reached, aspect);
 }
-
-using engine::Vector3;
 
 std::vector<Ball> hull_of(const BodyDescription& body, const Vector3& position,
                           const engine::Quaternion& orientation) {

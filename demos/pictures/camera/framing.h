@@ -27,10 +27,7 @@ struct Reach {
 Reach reach_of(std::span<const Ball> balls, const View& view);
 
 // Position in the picture of a point in front of the camera, 0 to 1 from the left and from the top.
-struct Place {
-    double x = 0.0, y = 0.0;
-};
-Place place_in_picture(const engine::Vector3& point, const View& view, double aspect);
+Eigen::Vector2d place_in_picture(const engine::Vector3& point, const View& view, double aspect);
 
 // Half the height of what is seen at a distance of 1.
 double half_tangent(const View& view);

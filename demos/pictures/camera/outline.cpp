@@ -1,7 +1,6 @@
 #include "demos/pictures/camera/outline.h"
 
-#include "demos/pictures/camera/framing.h"
-#include "demos/pictures/camera/plane_outline.h"
+#include "demos/pictures/draw_list.h"
 #include "demos/pictures/to_glm.h"
 #include "renderer/picture/picture.h"
 
@@ -42,6 +41,47 @@ std::vector<Vector3> points_of(const Ball& ball) {
     std::vector<Vector3> points;
     for (const Vector3& direction : directions()) points.push_back(ball.centre + ball.radius * direction);
     return points;
+}
+
+constexpr double degrees = std::numbers::pi / 180.0;
+constexpr double highest = 60.0;  // degrees above the horizon that the camera is raised to
+constexpr double margin = 0.05;   // share of the picture at each side that stays free
+constexpr double most = 0.12;     // share of the picture's width that the subject is moved aside
+
+// The view from another side of its target: turned to the right and raised, in degrees.
+View moved_around(const View& view, double turn, double raise) {
+    const Vector3 from = view.eye - view.target;
+    const double level = std::hypot(from.x(), from.z());
+    const double elevation = std::atan2(from.y(), level);
+    const double azimuth = std::atan2(from.x(), from.z()) + turn * degrees;
+    const double raised = std::max(elevation, std::min(elevation + raise * degrees, highest * degrees));
+    View moved = view;
+    moved.eye = view.target + from.norm() * Vector3(std::cos(raised) * std::sin(azimuth), std::sin(raised),
+                                                    std::cos(raised) * std::cos(azimuth));
+    return moved;
+}
+
+// Moves the camera sideways, so that subject and shadow together are in the middle, as far as the subject stays in
+// the picture.
+View balanced(const View& view, const Subject& subject, double aspect) {
+    const Eigen::AlignedBox2d own = extent_of(subject.points, view, aspect);
+    const Eigen::AlignedBox2d thrown = extent_of(subject.shadow, view, aspect);
+    const double own_left = own.min().x(), own_right = own.max().x(), height = own.sizes().y();
+    const double left = std::min(own_left, std::max(thrown.min().x(), own_left - height));
+    const double right = std::max(own_right, std::min(thrown.max().x(), own_right + height));
+    // Positive to the right: the subject then goes to the left.
+    const double wanted = 0.5 * (left + right) - 0.5;
+    const double most_right = std::clamp(0.45 * (own_left - margin), 0.0, most);
+    const double most_left = std::clamp(0.45 * (own_right - 1.0 + margin), -most, 0.0);
+    const double shift = std::clamp(wanted, most_left, most_right);
+    const Vector3 forward = view.target - view.eye;
+    const Vector3 right_hand = forward.cross(Vector3::UnitY());
+    if (right_hand.norm() < 1e-3 * forward.norm()) return view;
+    const Vector3 offset = 2.0 * shift * half_tangent(view) * aspect * forward.norm() * right_hand.normalized();
+    View moved = view;
+    moved.eye += offset;
+    moved.target += offset;
+    return moved;
 }
 
 }  // namespace
@@ -136,6 +176,32 @@ Subject with_room(Subject subject, double above, double below) {
         if (below > 0.0) subject.points.push_back(point - below * height * Vector3::UnitY());
     }
     return subject;
+}
+
+Eigen::AlignedBox2d extent_of(std::span<const Vector3> points, const View& view, double aspect) {
+    Eigen::AlignedBox2d extent;
+    for (const Vector3& point : points) extent.extend(place_in_picture(point, view, aspect));
+    return extent;
+}
+
+View composed(const View& view, const Subject& subject, double aspect) {
+    if (subject.points.empty()) return view;
+    std::vector<Ball> points;
+    for (const Vector3& point : subject.points) points.push_back({.centre = point});
+    View best = view;
+    double highest_worth = -1.0;
+    for (const double raise : {0.0, 10.0, 20.0}) {
+        for (const double turn : {0.0, -15.0, 15.0, -30.0, 30.0, -45.0, 45.0}) {
+            const View fit = fitted(moved_around(view, turn, raise), points, aspect);
+            const Eigen::Vector2d extent = extent_of(subject.points, fit, aspect).sizes();
+            // Another side than the scene's has to be worth it.
+            const double worth = std::sqrt(extent.prod()) * (1.0 - 0.005 * std::abs(turn) - 0.006 * raise);
+            if (worth <= highest_worth + 1e-9) continue;
+            highest_worth = worth;
+            best = fit;
+        }
+    }
+    return subject.shadow.empty() ? best : balanced(best, subject, aspect);
 }
 
 }  // namespace pushfactor::demos::pictures

@@ -1,10 +1,13 @@
-// What a picture is about: everything that moves in it, and what that stands and hangs on.
+// What a picture is about: everything that moves in it, and what that stands and hangs on; and cameras that fill
+// the picture with it.
 #pragma once
 
 #include "demos/pictures/camera/framing.h"
 #include "demos/runs/scene.h"
+#include "demos/scenes/scene_description.h"
 
 #include <limits>
+#include <span>
 #include <vector>
 
 namespace pushfactor::demos::pictures {
@@ -47,5 +50,14 @@ Subject subject_of(const BuiltScene& scene, const Outline& outline);
 
 // The same with room for letters above and below it, as shares of its height.
 Subject with_room(Subject subject, double above, double below);
+
+// The part of the picture that the points span, 0 to 1 from left and top, seen by `view`; beyond that range for
+// points outside of the picture.
+Eigen::AlignedBox2d extent_of(std::span<const engine::Vector3> points, const View& view, double aspect);
+
+// A view of all points from about the direction of `view`, as close as possible: it is turned by up to 45 degrees
+// and raised by up to 20 where that fills a picture of this aspect (width over height) much better. Where the
+// subject leaves room to the sides, it is in the middle together with its shadow.
+View composed(const View& view, const Subject& subject, double aspect);
 
 }  // namespace pushfactor::demos::pictures

@@ -1,7 +1,5 @@
 #include "demos/pictures/camera/survey.h"
 
-#include "demos/pictures/camera/framing.h"
-#include "demos/pictures/overlays/overlay.h"
 #include "demos/platform/progress.h"
 #include "demos/text/errors.h"
 #include "demos/text/median.h"
@@ -68,6 +66,13 @@ class Surveyor : public Observer {
     Maxima& maxima_;
     Survey& found_;
 };
+
+// 1, 2 or 5 times a power of ten, at most `value`.
+double round_number(double value) {
+    const double power = std::pow(10.0, std::floor(std::log10(value)));
+    const double digit = value / power;
+    return power * (digit >= 5.0 ? 5.0 : digit >= 2.0 ? 2.0 : 1.0);
+}
 
 }  // namespace
 
@@ -136,17 +141,6 @@ void add_overview(std::vector<ComparedRun>& panels, SurveyOnce& survey) {
                                least_aspect(first.frames, panels.size()));
     for (ComparedRun& panel : panels) panel.choices.description.view = view;
 }
-
-namespace {
-
-// 1, 2 or 5 times a power of ten, at most `value`.
-double round_number(double value) {
-    const double power = std::pow(10.0, std::floor(std::log10(value)));
-    const double digit = value / power;
-    return power * (digit >= 5.0 ? 5.0 : digit >= 2.0 ? 2.0 : 1.0);
-}
-
-}  // namespace
 
 std::vector<Scale> scales_of(const std::vector<OverlayItem>& overlay, const Survey& survey, const View& view) {
     std::vector<Scale> scales;

@@ -3,7 +3,9 @@
 #include "demos/platform/output_file.h"
 #include "renderer/images/png.h"
 
+#include <cstdint>
 #include <utility>
+#include <vector>
 
 namespace pushfactor::demos::pictures {
 
@@ -28,16 +30,11 @@ FrameQueue::End FrameWriter::encode(const std::string& name, const renderer::Ima
     if (png_) png = renderer::encode_png(image, {.dots_per_inch = 0.0, .film = film_});
     watch.end("encode");
     return [this, &name, &image, png = std::move(png)](StageWatch& own) {
-        put(name, png, image);
+        if (png_) write_file(folder_ / name, {reinterpret_cast<const char*>(png.data()), png.size()});
+        if (video_name_ && !video_) video_ = std::make_unique<Video>(*video_name_, image.width, image.height, fps_);
+        if (video_) video_->add(image);
         own.end("write");
     };
-}
-
-void FrameWriter::put(const std::string& name, const std::vector<std::uint8_t>& png, const renderer::Image& image) {
-    if (png_) write_file(folder_ / name, {reinterpret_cast<const char*>(png.data()), png.size()});
-    if (!video_name_) return;
-    if (!video_) video_ = std::make_unique<Video>(*video_name_, image.width, image.height, fps_);
-    video_->add(image);
 }
 
 }  // namespace pushfactor::demos::pictures

@@ -4,12 +4,10 @@
 #include "demos/pictures/film/frame_queue.h"
 #include "demos/pictures/film/video.h"
 
-#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
-#include <vector>
 
 namespace pushfactor::demos::pictures {
 
@@ -31,7 +29,6 @@ class FrameWriter {
 
   private:
     FrameQueue::End encode(const std::string& name, const renderer::Image& image, StageWatch& watch);
-    void put(const std::string& name, const std::vector<std::uint8_t>& png, const renderer::Image& image);
 
     std::filesystem::path folder_;
     bool png_;

@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -88,15 +87,13 @@ int Document::add_geometry(const Geometry& geometry) {
     Shape shape;
     const std::size_t count = geometry.positions.size();
     shape.positions = add_accessor(vertex_view, vertices_.size(), floating, count, "VEC3");
-    engine::Vector3 low = engine::Vector3::Constant(std::numeric_limits<double>::infinity()), high = -low;
+    Eigen::AlignedBox3d box;
     for (const glm::vec3& corner : geometry.positions) {
         append(vertices_, corner);
-        const engine::Vector3 point(corner.x, corner.y, corner.z);
-        low = low.cwiseMin(point);
-        high = high.cwiseMax(point);
+        box.extend(to_eigen(corner));
     }
-    accessors_.back()["min"] = json_of_vector(low);
-    accessors_.back()["max"] = json_of_vector(high);
+    accessors_.back()["min"] = json_of_vector(box.min());
+    accessors_.back()["max"] = json_of_vector(box.max());
     shape.normals = add_accessor(vertex_view, vertices_.size(), floating, count, "VEC3");
     for (const glm::vec3& normal : geometry.normals) append(vertices_, normal);
     for (const std::vector<std::uint16_t>& part : geometry.parts) {

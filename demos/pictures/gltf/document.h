@@ -7,7 +7,6 @@
 #include "demos/text/json.h"
 
 #include <array>
-#include <cstdint>
 #include <functional>
 #include <map>
 #include <string>

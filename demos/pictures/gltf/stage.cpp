@@ -1,7 +1,7 @@
 #include "demos/pictures/gltf/stage.h"
 
 #include "demos/pictures/camera/framing.h"
-#include "demos/pictures/camera/plane_outline.h"
+#include "demos/pictures/draw_list.h"
 
 #include <array>
 #include <cmath>
@@ -78,15 +78,9 @@ class Meshes {
     }
 
   private:
-    struct Before {
-        bool operator()(const renderer::ConvexShape& a, const renderer::ConvexShape& b) const {
-            return renderer::before(a, b);
-        }
-    };
-
     Document& document_;
     std::map<std::array<float, 3>, int> boxes_;
-    std::map<renderer::ConvexShape, int, Before> polyhedra_;
+    std::map<renderer::ConvexShape, int, decltype(&renderer::before)> polyhedra_{renderer::before};
     int ball_ = -1;
 };
 

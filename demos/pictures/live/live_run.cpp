@@ -43,6 +43,38 @@ double speed_upwards(const BuiltScene& scene) {
     return largest;
 }
 
+Json scenes() {
+    Json scenes = Json::array();
+    for (const SceneEntry& entry : catalogue()) {
+        Json parameters = Json::array();
+        for (const Parameter& parameter : entry.parameters) {
+            parameters.push_back({{"name", parameter.name},
+                                  {"help", parameter.help},
+                                  {"value", parameter.fallback},
+                                  {"low", parameter.low},
+                                  {"high", parameter.high},
+                                  {"whole", parameter.whole}});
+        }
+        scenes.push_back(
+            {{"name", entry.name}, {"sentence", entry.sentence}, {"parameters", std::move(parameters)}});
+    }
+    return scenes;
+}
+
+Json options() {
+    Json options = Json::array();
+    for (const SimulationOption& option : simulation_options()) {
+        if (!is_on_menu(option.name)) continue;
+        Json values = Json::object();
+        for (const Preset& preset : presets()) values[std::string(preset.name)] = option.get(preset.settings());
+        options.push_back({{"name", option.name},
+                           {"help", option.help},
+                           {"allowed", option.allowed},
+                           {"values", std::move(values)}});
+    }
+    return options;
+}
+
 }  // namespace
 
 LiveRun::LiveRun(const std::string& scene, const OptionTexts& options)
@@ -122,42 +154,6 @@ std::string LiveRun::command() const {
     words.insert(words.end(), {"--seconds", to_text(time)});
     return command_of(words);
 }
-
-namespace {
-
-Json scenes() {
-    Json scenes = Json::array();
-    for (const SceneEntry& entry : catalogue()) {
-        Json parameters = Json::array();
-        for (const Parameter& parameter : entry.parameters) {
-            parameters.push_back({{"name", parameter.name},
-                                  {"help", parameter.help},
-                                  {"value", parameter.fallback},
-                                  {"low", parameter.low},
-                                  {"high", parameter.high},
-                                  {"whole", parameter.whole}});
-        }
-        scenes.push_back(
-            {{"name", entry.name}, {"sentence", entry.sentence}, {"parameters", std::move(parameters)}});
-    }
-    return scenes;
-}
-
-Json options() {
-    Json options = Json::array();
-    for (const SimulationOption& option : simulation_options()) {
-        if (!is_on_menu(option.name)) continue;
-        Json values = Json::object();
-        for (const Preset& preset : presets()) values[std::string(preset.name)] = option.get(preset.settings());
-        options.push_back({{"name", option.name},
-                           {"help", option.help},
-                           {"allowed", option.allowed},
-                           {"values", std::move(values)}});
-    }
-    return options;
-}
-
-}  // namespace
 
 bool is_on_menu(std::string_view option) {
     return option != "seconds" && option != "threads";

@@ -1,11 +1,12 @@
 #include "demos/pictures/overlays/overlay.h"
 
 #include "demos/pictures/overlays/acting.h"
-#include "demos/pictures/overlays/outside.h"
 #include "demos/pictures/to_glm.h"
 #include "demos/text/errors.h"
 
 #include <fmt/format.h>
+
+#include <map>
 
 namespace pushfactor::demos::pictures {
 
@@ -28,14 +29,12 @@ glm::vec3 colour_of_island(std::size_t first_body) {
     }
 }
 
-bool is_in_island(const BuiltScene& scene, std::size_t body) {
-    return !scene.world.rows().empty() && scene.world.islands().of_body(static_cast<int>(body)) >= 0;
-}
-
 // Legend entry of a movable body that the overlay colours.
 std::size_t entry_of_body(const BuiltScene& scene, OverlayKind kind, std::size_t body) {
-    if (kind == OverlayKind::islands) return is_in_island(scene, body) ? 0 : 1;
     const auto index = static_cast<int>(body);
+    if (kind == OverlayKind::islands) {
+        return !scene.world.rows().empty() && scene.world.islands().of_body(index) >= 0 ? 0 : 1;
+    }
     return scene.world.rest->is_at_rest(index) ? 0 : scene.world.rest->is_still(index) ? 1 : 2;
 }
 
@@ -47,75 +46,93 @@ glm::vec3 colour_of_body(const BuiltScene& scene, OverlayKind kind, std::size_t 
     return colour_of_island(static_cast<std::size_t>(islands.all()[island].bodies.front()));
 }
 
-// Speed [m/s] below which a body stands still: what solves leave, by the default tolerance, and rounding.
-constexpr double unsolved = 1e-8;
+bool has_row_of(const engine::World& world, std::size_t row, std::size_t joint) {
+    const engine::RowLabel& label = world.rows()[row].label;
+    return label.kind == engine::RowKind::joint && label.point == static_cast<int>(joint);
+}
 
+// Torques on single bodies as they are now, at the centres of mass, and of motors in the last step, along their
+// axes on the bodies that they turn, at the hinges.
+std::vector<Quantity> torques_in(const BuiltScene& scene) {
+    const engine::World& world = scene.world;
+    std::vector<Quantity> found;
+    for (const engine::PokeForce* const source : scene.pokes) {
+        if (!source->acts_at(world.time())) continue;
+        const engine::Body& body = world.bodies[static_cast<std::size_t>(source->poke().body)];
+        const Vector3 torque = source->torque(body.orientation);
+        if (!torque.isZero(0.0)) found.push_back({.place = body.position, .value = torque, .kind = 0});
+    }
+    if (!scene.joints || !any_forces(scene)) return found;
+    std::size_t row = 0;
+    for (const std::size_t acting : scene.joints->acting()) {
+        const engine::Joint& joint = scene.joints->joints()[acting];
+        while (!has_row_of(world, row, acting)) ++row;
+        if (!joint.hinge || !joint.hinge->motor) continue;
+        // The row of a motor is L [0, -u, 0, u], zero for a static body: its force times that is its torque.
+        const std::size_t motor = row + engine::motor_row;
+        const double force = world.lambda()(static_cast<Eigen::Index>(motor), world.lambda().cols() - 1);
+        const bool b_turns = !world.bodies[static_cast<std::size_t>(joint.body_b)].is_static();
+        const engine::Jacobian& jacobian = world.rows()[motor].jacobian;
+        const Vector3 torque = force * (b_turns ? jacobian.b : jacobian.a).tail<3>();
+        found.push_back({.place = span_of(joint, world.bodies).to, .value = torque, .kind = 1});
+    }
+    return found;
+}
+
+// Of moved bodies the mean in the last step: of the centre, and of four points around the axis of one that turns.
 std::vector<Quantity> velocities_in(const BuiltScene& scene) {
+    // Speed [m/s] below which a body stands still: what solves leave, by the default tolerance, and rounding.
+    constexpr double unsolved = 1e-8;
     std::vector<Quantity> found;
     for (const engine::Body& body : scene.world.bodies) {
         if (!body.is_static()) found.push_back({.place = body.position, .value = velocity(body)});
     }
-    add_moved_velocities(scene, 1, found);
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+        const engine::Body& body = scene.world.bodies[i];
+        if (!body.is_moved()) continue;
+        const engine::Motion& motion = body.prescribed;
+        found.push_back({.place = body.position, .value = motion.velocity, .kind = 1});
+        if (motion.angular_velocity.isZero(0.0)) continue;
+        const bool plane = std::holds_alternative<PlaneShape>(scene.bodies[i].shape);
+        const double reach = plane ? 1.0 : bounding_radius(scene.bodies[i]);  // m
+        const Vector3 u = reach * motion.angular_velocity.unitOrthogonal();
+        const Vector3 v = motion.angular_velocity.normalized().cross(u);
+        for (const Vector3& arm : {u, v, Vector3(-u), Vector3(-v)}) {
+            const Vector3 velocity = motion.velocity + motion.angular_velocity.cross(arm);
+            found.push_back({.place = body.position + arm, .value = velocity, .kind = 1});
+        }
+    }
     for (Quantity& velocity : found) {
         if (velocity.value.norm() < unsolved) velocity.value.setZero();
     }
     return found;
 }
 
-}  // namespace
-
-std::vector<Quantity> quantities(const BuiltScene& scene, OverlayKind kind) {
-    using Kind = Acting::Kind;
+// Lines between bodies that do not touch each other, from `place` by `value`: one per pair, and one from each body
+// of a group to the middle of the group.
+std::vector<Quantity> untouching_in(const BuiltScene& scene) {
     std::vector<Quantity> found;
-    const auto add = [&](const Vector3& place, const Vector3& value, std::size_t entry) {
-        found.push_back({.place = place, .value = value, .kind = entry});
-    };
-    switch (kind) {
-        case OverlayKind::contacts:
-            for (const Acting& at : acting_in(scene)) {
-                if (at.kind == Kind::touching) add(at.place, Vector3::Zero(), 0);
-                if (at.kind == Kind::within_margin) add(at.place, Vector3::Zero(), 1);
-            }
-            break;
-        case OverlayKind::forces:
-            for (const Acting& at : applied_in(scene)) add(at.place, at.force, 3);
-            for (const Acting& at : acting_in(scene)) {
-                add(at.place, at.force, at.kind == Kind::joint ? 2 : at.kind == Kind::distance ? 1 : 0);
-            }
-            break;
-        case OverlayKind::torques:
-            add_applied_torques(scene, 0, found);
-            if (scene.joints && any_forces(scene)) add_motor_torques(scene, 1, found);
-            break;
-        case OverlayKind::push:
-            for (const Acting& at : acting_in(scene)) {
-                add(at.place, at.correcting, 0);
-                add(at.place, at.lasting, 1);
-            }
-            break;
-        case OverlayKind::velocities:
-            return velocities_in(scene);
-        case OverlayKind::islands:
-        case OverlayKind::rest:
-            for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-                if (!scene.bodies[i].mass) continue;
-                add(scene.world.bodies[i].position, Vector3::Zero(), entry_of_body(scene, kind, i));
-            }
-            break;
-        case OverlayKind::no_contacts:
-            add_untouching(scene, 0, 1, found);
-            break;
-        case OverlayKind::thrust:
-            if (!scene.contacts || !any_forces(scene)) break;
-            for (const PressureCentre& centre : pressure_centres(scene)) add(centre.place, Vector3::Zero(), 0);
-            break;
-        case OverlayKind::trails:
-            break;
+    const auto& bodies = scene.world.bodies;
+    for (const engine::collision::Pair& pair : scene.no_contacts) {
+        const Vector3 from = bodies[static_cast<std::size_t>(pair.a)].position;
+        const Vector3 to = bodies[static_cast<std::size_t>(pair.b)].position;
+        found.push_back({.place = from, .value = to - from, .kind = 0});
+    }
+    std::map<std::string, std::vector<std::size_t>> groups;
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+        if (!scene.bodies[i].group.empty()) groups[scene.bodies[i].group].push_back(i);
+    }
+    for (const auto& [name, members] : groups) {
+        Vector3 middle = Vector3::Zero();
+        for (const std::size_t member : members) middle += bodies[member].position;
+        middle /= static_cast<double>(members.size());
+        for (const std::size_t member : members) {
+            const Vector3& from = bodies[member].position;
+            found.push_back({.place = from, .value = middle - from, .kind = 1});
+        }
     }
     return found;
 }
-
-namespace {
 
 // What an overlay needs and the scene lacks; empty if nothing.
 std::string lack_of(const BuiltScene& scene, OverlayKind kind) {
@@ -151,6 +168,90 @@ std::string lack_of(const BuiltScene& scene, OverlayKind kind) {
 }
 
 }  // namespace
+
+std::vector<LegendEntry> entries_of(OverlayKind kind) {
+    const auto colour = [](std::string_view name) { return *find_colour(name); };
+    switch (kind) {
+        case OverlayKind::contacts:
+            return {{"contact point", colour("vermilion"), ""}, {"within the margin", colour("ivory"), ""}};
+        case OverlayKind::forces:
+            return {{"contact force", colour("violet"), "N"},
+                    {"bar force", colour("green"), "N"},
+                    {"joint force", colour("orange"), "N"},
+                    {"force from outside", colour("blue"), "N"}};
+        case OverlayKind::torques:
+            return {{"torque from outside", colour("blue"), "N m"},
+                    {"torque of a motor", colour("vermilion"), "N m"}};
+        case OverlayKind::push:
+            return {{"push for this frame only", colour("orange"), "m/s"},
+                    {"push that lasts", colour("vermilion"), "m/s"}};
+        case OverlayKind::islands:
+            return {{"one colour per island", colour("vermilion"), ""},
+                    {"in no island", colour(colour_of_none), ""}};
+        case OverlayKind::rest:
+            return {{"at rest", colour("green"), ""},
+                    {"still, but held by what is not", colour(colour_of_none), ""},
+                    {"moves, or did a moment ago", colour("vermilion"), ""}};
+        case OverlayKind::thrust:
+            return {{"line of thrust, through the centres of pressure", colour("violet"), ""}};
+        case OverlayKind::no_contacts:
+            return {{"do not touch each other", colour("vermilion"), ""},
+                    {"one group, whose bodies do not touch", colour("blue"), ""}};
+        case OverlayKind::trails:
+            return {{"path of a centre, in its colour", colour(colour_of_none), ""}};
+        case OverlayKind::velocities:
+            break;
+    }
+    return {{"velocity", colour("blue"), "m/s"}, {"of a moved body", colour("orange"), "m/s"}};
+}
+
+std::vector<Quantity> quantities(const BuiltScene& scene, OverlayKind kind) {
+    using Kind = Acting::Kind;
+    std::vector<Quantity> found;
+    const auto add = [&](const Vector3& place, const Vector3& value, std::size_t entry) {
+        found.push_back({.place = place, .value = value, .kind = entry});
+    };
+    switch (kind) {
+        case OverlayKind::contacts:
+            for (const Acting& at : acting_in(scene)) {
+                if (at.kind == Kind::touching) add(at.place, Vector3::Zero(), 0);
+                if (at.kind == Kind::within_margin) add(at.place, Vector3::Zero(), 1);
+            }
+            break;
+        case OverlayKind::forces:
+            for (const Acting& at : applied_in(scene)) add(at.place, at.force, 3);
+            for (const Acting& at : acting_in(scene)) {
+                add(at.place, at.force, at.kind == Kind::joint ? 2 : at.kind == Kind::distance ? 1 : 0);
+            }
+            break;
+        case OverlayKind::torques:
+            return torques_in(scene);
+        case OverlayKind::push:
+            for (const Acting& at : acting_in(scene)) {
+                add(at.place, at.correcting, 0);
+                add(at.place, at.lasting, 1);
+            }
+            break;
+        case OverlayKind::velocities:
+            return velocities_in(scene);
+        case OverlayKind::islands:
+        case OverlayKind::rest:
+            for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+                if (!scene.bodies[i].mass) continue;
+                add(scene.world.bodies[i].position, Vector3::Zero(), entry_of_body(scene, kind, i));
+            }
+            break;
+        case OverlayKind::no_contacts:
+            return untouching_in(scene);
+        case OverlayKind::thrust:
+            if (!scene.contacts || !any_forces(scene)) break;
+            for (const PressureCentre& centre : pressure_centres(scene)) add(centre.place, Vector3::Zero(), 0);
+            break;
+        case OverlayKind::trails:
+            break;
+    }
+    return found;
+}
 
 void require_shown(const BuiltScene& scene, const std::vector<OverlayItem>& overlay) {
     for (const OverlayItem& item : overlay) {

@@ -3,14 +3,32 @@
 #pragma once
 
 #include "demos/options/look_choices.h"
-#include "demos/pictures/overlays/legend.h"
-#include "demos/pictures/overlays/outside.h"
 #include "demos/runs/scene.h"
+#include "demos/text/palette.h"
 #include "renderer/picture/picture.h"
 
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace pushfactor::demos::pictures {
+
+// Of bodies that an overlay has nothing to say of.
+inline constexpr std::string_view colour_of_none = "ivory";
+
+// A line of an overlay's legend: "contact force" or "bar force" of forces, and so on.
+struct LegendEntry {
+    std::string name;
+    Colour colour;
+    std::string unit;  // empty for points
+};
+std::vector<LegendEntry> entries_of(OverlayKind kind);
+
+struct Quantity {
+    engine::Vector3 place = engine::Vector3::Zero();  // m
+    engine::Vector3 value = engine::Vector3::Zero();  // N, N m or m/s; of lines m
+    std::size_t kind = 0;                             // index into the entries of the overlay's kind
+};
 
 // Quantities of the world's last step, at the contact points of the start of the step. Before the first step only
 // what does not come from rows: velocities, forces and torques from outside, pairs that do not touch. A force is

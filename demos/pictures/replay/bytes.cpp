@@ -1,15 +1,8 @@
 #include "demos/pictures/replay/bytes.h"
 
-#include <libdeflate.h>
-
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <memory>
-#include <new>
 
 namespace pushfactor::demos::pictures::replay {
 
@@ -31,6 +24,32 @@ std::int64_t foretold(std::span<const std::int64_t> values, std::size_t at, std:
         default:
             return 3 * (values[at - 1] - values[at - 2]) + values[at - 3];
     }
+}
+
+// The nearest whole number of units.
+std::int64_t in_units(double value, double unit) {
+    constexpr double most = 281474976710656.0;  // 2^48: the page counts in doubles
+    return static_cast<std::int64_t>(std::nearbyint(std::clamp(value / unit, -most, most)));
+}
+
+constexpr int bits = 10;  // of the largest number of a Scaled
+
+engine::Vector3 at_least(const engine::Vector3& vector, double least) {
+    return vector.norm() < least ? engine::Vector3(engine::Vector3::Zero()) : vector;
+}
+
+// `last_exponent` is that of a vector without length.
+Scaled scaled(const engine::Vector3& vector, std::int64_t last_exponent) {
+    const double largest = vector.cwiseAbs().maxCoeff();
+    if (!(largest > 0.0)) return {.exponent = last_exponent, .numbers = {}};
+    const int exponent = std::ilogb(largest) + 1;
+    const double unit = std::ldexp(1.0, exponent - bits);
+    return {.exponent = exponent, .numbers = vector_in_units(vector, unit)};
+}
+
+void append_less(std::string& bytes, const Scaled& value, const Scaled& last) {
+    append_integer(bytes, value.exponent - last.exponent);
+    for (std::size_t i = 0; i < 3; ++i) append_integer(bytes, value.numbers[i] - last.numbers[i]);
 }
 
 }  // namespace
@@ -60,11 +79,6 @@ void append_quantity(std::string& bytes, std::span<const std::int64_t> values) {
     }
 }
 
-std::int64_t in_units(double value, double unit) {
-    constexpr double most = 281474976710656.0;  // 2^48: the page counts in doubles
-    return static_cast<std::int64_t>(std::nearbyint(std::clamp(value / unit, -most, most)));
-}
-
 std::array<std::int64_t, 3> vector_in_units(const engine::Vector3& vector, double unit) {
     return {in_units(vector.x(), unit), in_units(vector.y(), unit), in_units(vector.z(), unit)};
 }
@@ -81,38 +95,58 @@ std::array<std::int64_t, 4> orientation_in_units(const engine::Quaternion& orien
     return units;
 }
 
-namespace {
-
-struct FreeCompressor {
-    void operator()(libdeflate_compressor* compressor) const { libdeflate_free_compressor(compressor); }
-};
-
-}  // namespace
-
-std::string deflated(std::string_view bytes) {
-    constexpr int level = 9;  // 12 is three times as slow for two parts in a hundred
-    const std::unique_ptr<libdeflate_compressor, FreeCompressor> compressor(libdeflate_alloc_compressor(level));
-    if (!compressor) throw std::bad_alloc();
-    std::string result(libdeflate_zlib_compress_bound(compressor.get(), bytes.size()), '\0');
-    result.resize(
-        libdeflate_zlib_compress(compressor.get(), bytes.data(), bytes.size(), result.data(), result.size()));
-    return result;
+void ForceBlock::add_who(const std::vector<Who>& who) {
+    std::string& part = parts_[0];
+    if (who == last_who_) {
+        append_integer(part, 0);
+        return;
+    }
+    append_integer(part, static_cast<std::int64_t>(who.size()) + 1);
+    std::int64_t before = 0;
+    for (const auto& [kind, body, other] : who) {
+        append_integer(part, kind);
+        append_integer(part, body - before);
+        append_integer(part, other - body);
+        before = body;
+    }
+    last_who_ = who;
 }
 
-std::string base64(std::string_view bytes) {
-    constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    const auto byte = [&](std::size_t i) -> std::uint32_t {
-        return i < bytes.size() ? static_cast<unsigned char>(bytes[i]) : 0U;
-    };
-    std::string text;
-    text.reserve(4 * (bytes.size() / 3 + 1));
-    for (std::size_t i = 0; i < bytes.size(); i += 3) {
-        const std::uint32_t three = byte(i) << 16U | byte(i + 1) << 8U | byte(i + 2);
-        for (const unsigned shift : {18U, 12U, 6U, 0U}) text.push_back(digits[three >> shift & 63U]);
+void ForceBlock::add(std::span<const Acting> acting, double least_force, double least_push) {
+    std::vector<Who> who;
+    for (const Acting& at : acting) who.push_back({static_cast<std::int64_t>(at.kind), at.body, at.other});
+    add_who(who);
+
+    std::map<std::array<std::int64_t, 4>, Item> items;
+    std::map<Who, std::int64_t> so_far;
+    for (std::size_t i = 0; i < acting.size(); ++i) {
+        const Acting& at = acting[i];
+        const std::array key{who[i][0], who[i][1], who[i][2], so_far[who[i]]++};
+        const auto found = last_.find(key);
+        const Item last = found == last_.end() ? Item{} : found->second;
+        Item& item = items[key];
+        item.place = vector_in_units(at.place, position_units_[static_cast<std::size_t>(at.body)]);
+        for (std::size_t axis = 0; axis < 3; ++axis) append_integer(parts_[1], item.place[axis] - last.place[axis]);
+        const std::array vectors{at_least(at.force, least_force), at_least(at.correcting, least_push),
+                                 at_least(at.lasting, least_push)};
+        for (std::size_t v = 0; v < vectors.size(); ++v) {
+            item.vectors[v] = scaled(vectors[v], last.vectors[v].exponent);
+            append_less(parts_[v == 0 ? 2 : 3], item.vectors[v], last.vectors[v]);
+        }
     }
-    const std::size_t surplus = (3 - bytes.size() % 3) % 3;
-    text.replace(text.size() - surplus, surplus, surplus, '=');
-    return text;
+    last_ = std::move(items);
+}
+
+std::string ForceBlock::take() {
+    std::string bytes;
+    for (const std::string& part : parts_) append_integer(bytes, static_cast<std::int64_t>(part.size()));
+    for (std::string& part : parts_) {
+        bytes += part;
+        part.clear();
+    }
+    last_who_.clear();
+    last_.clear();
+    return bytes;
 }
 
 }  // namespace pushfactor::demos::pictures::replay

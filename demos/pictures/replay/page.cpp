@@ -1,14 +1,16 @@
 #include "demos/pictures/replay/page.h"
 
-#include "demos/pictures/replay/bytes.h"
 #include "demos/pictures/replay/stage.h"
 #include "demos/platform/assets.h"
 #include "demos/text/errors.h"
 
 #include <fmt/format.h>
+#include <libdeflate.h>
 
 #include <algorithm>
 #include <array>
+#include <memory>
+#include <new>
 #include <sstream>
 
 namespace pushfactor::demos::pictures::replay {
@@ -76,6 +78,33 @@ void fill_in(std::string& text, std::string_view mark, const std::string& conten
 }
 
 }  // namespace
+
+std::string deflated(std::string_view bytes) {
+    constexpr int level = 9;  // 12 is three times as slow for two parts in a hundred
+    const std::unique_ptr<libdeflate_compressor, decltype(&libdeflate_free_compressor)> compressor(
+        libdeflate_alloc_compressor(level), libdeflate_free_compressor);
+    if (!compressor) throw std::bad_alloc();
+    std::string result(libdeflate_zlib_compress_bound(compressor.get(), bytes.size()), '\0');
+    result.resize(
+        libdeflate_zlib_compress(compressor.get(), bytes.data(), bytes.size(), result.data(), result.size()));
+    return result;
+}
+
+std::string base64(std::string_view bytes) {
+    constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    const auto byte = [&](std::size_t i) -> std::uint32_t {
+        return i < bytes.size() ? static_cast<unsigned char>(bytes[i]) : 0U;
+    };
+    std::string text;
+    text.reserve(4 * (bytes.size() / 3 + 1));
+    for (std::size_t i = 0; i < bytes.size(); i += 3) {
+        const std::uint32_t three = byte(i) << 16U | byte(i + 1) << 8U | byte(i + 2);
+        for (const unsigned shift : {18U, 12U, 6U, 0U}) text.push_back(digits[three >> shift & 63U]);
+    }
+    const std::size_t surplus = (3 - bytes.size() % 3) % 3;
+    text.replace(text.size() - surplus, surplus, surplus, '=');
+    return text;
+}
 
 Page page_about(const Json& about) {
     std::string text = asset("page.html");

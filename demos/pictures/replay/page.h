@@ -22,4 +22,10 @@ std::string data_block(std::string_view attributes, std::string_view bytes);
 // What is known only at the end of the run.
 std::string end_block(const Json& end);
 
+// Compressed as a zlib stream (RFC 1950), which browsers inflate by themselves (DecompressionStream "deflate").
+std::string deflated(std::string_view bytes);
+
+// RFC 4648, section 4.
+std::string base64(std::string_view bytes);
+
 }  // namespace pushfactor::demos::pictures::replay

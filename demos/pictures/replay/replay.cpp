@@ -1,11 +1,7 @@
 #include "demos/pictures/replay/replay.h"
 
-#include "demos/pictures/camera/composition.h"
-#include "demos/pictures/camera/framing.h"
-#include "demos/pictures/camera/survey.h"
 #include "demos/pictures/draw_list.h"
 #include "demos/pictures/lettering.h"
-#include "demos/pictures/replay/bytes.h"
 #include "demos/pictures/replay/stage.h"
 #include "demos/platform/version.h"
 #include "demos/runs/records.h"
@@ -47,12 +43,6 @@ void append(const std::array<std::int64_t, n>& numbers, Quantities quantity) {
     for (const std::int64_t number : numbers) (quantity++)->push_back(number);
 }
 
-std::vector<double> units_of(const std::vector<double>& sizes) {
-    std::vector<double> units;
-    for (const double size : sizes) units.push_back(position_unit * size);
-    return units;
-}
-
 }  // namespace
 
 Frames replay_frames(const Choices& choices) {
@@ -79,8 +69,11 @@ Replay::Replay(const ReplayChoices& choices, const Session& session)
         const Simulation& run = session.run(panel);
         const BuiltScene& scene = run.scene();
         require_drawable(scene);
-        std::vector<double> sizes;
-        for (std::size_t i = 0; i < scene.world.bodies.size(); ++i) sizes.push_back(size_of(scene, i));
+        std::vector<double> sizes, units;
+        for (std::size_t i = 0; i < scene.world.bodies.size(); ++i) {
+            sizes.push_back(size_of(scene, i));
+            units.push_back(position_unit * sizes.back());
+        }
         Track track{.simulation = &run,
                     .view = frames_.camera.view.value_or(scene.view),
                     .start = movable_balls(scene),
@@ -91,7 +84,7 @@ Replay::Replay(const ReplayChoices& choices, const Session& session)
                     .velocities = {},
                     .orientations = {},
                     .measures = {},
-                    .forces = ForceBlock(units_of(sizes))};
+                    .forces = ForceBlock(units)};
         track.poses.resize(numbers_per_pose * track.bodies.size());
         track.velocities.resize(choices.poses_only ? 0 : numbers_per_velocity * track.bodies.size());
         track.orientations.resize(track.bodies.size());

@@ -3,7 +3,7 @@
 
 #include "demos/pictures/camera/framing.h"
 #include "demos/pictures/camera/survey.h"
-#include "demos/pictures/replay/forces.h"
+#include "demos/pictures/replay/bytes.h"
 #include "demos/pictures/replay/page.h"
 #include "demos/platform/output_file.h"
 #include "demos/runs/session.h"

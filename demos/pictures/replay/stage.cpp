@@ -1,13 +1,11 @@
 #include "demos/pictures/replay/stage.h"
 
 #include "demos/options/simulation_options.h"
-#include "demos/pictures/camera/plane_outline.h"
 #include "demos/pictures/draw_list.h"
-#include "demos/pictures/overlays/legend.h"
+#include "demos/pictures/overlays/overlay.h"
 #include "demos/pictures/replay/bytes.h"
 #include "renderer/meshes/meshes.h"
 
-#include <algorithm>
 #include <map>
 
 namespace pushfactor::demos::pictures::replay {
@@ -34,21 +32,14 @@ void append_mesh(std::string& bytes, renderer::Mesh mesh) {
 }
 
 // The shapes of a picture's polyhedra, numbered as they first occur.
-class Shapes {
-  public:
-    explicit Shapes(const renderer::Picture& picture) {
-        for (const renderer::Body& body : picture.bodies) {
-            const auto* shape = std::get_if<renderer::Polyhedron>(&body.shape);
-            if (shape && numbers_.try_emplace(*shape, shapes_.size()).second) shapes_.push_back(*shape);
-        }
+std::map<renderer::Polyhedron, std::size_t> numbered_shapes(const renderer::Picture& picture) {
+    std::map<renderer::Polyhedron, std::size_t> numbers;
+    for (const renderer::Body& body : picture.bodies) {
+        const auto* shape = std::get_if<renderer::Polyhedron>(&body.shape);
+        if (shape) numbers.try_emplace(*shape, numbers.size());
     }
-    const std::vector<renderer::Polyhedron>& all() const { return shapes_; }
-    std::size_t number_of(const renderer::Polyhedron& shape) const { return numbers_.at(shape); }
-
-  private:
-    std::map<renderer::Polyhedron, std::size_t> numbers_;
-    std::vector<renderer::Polyhedron> shapes_;
-};
+    return numbers;
+}
 
 Json options_of(const Choices& choices) {
     Json options = Json::object();
@@ -78,13 +69,13 @@ Json bodies_of(const BuiltScene& scene, const renderer::Picture& picture) {
         }
         bodies.push_back(std::move(json));
     }
-    const Shapes shapes(picture);
+    const auto numbers = numbered_shapes(picture);
     for (const renderer::Body& body : picture.bodies) {
         Json& json = bodies[body.index];
         std::visit(engine::Overloaded{[&](const renderer::Box& box) { json["box"] = three(box.half_extents); },
                                       [&](const renderer::Sphere& sphere) { json["sphere"] = sphere.radius; },
                                       [&](const renderer::Polyhedron& shape) {
-                                          json["polyhedron"] = shapes.number_of(shape);
+                                          json["polyhedron"] = numbers.at(shape);
                                           json["half_extents"] = three(renderer::half_extents(*shape));
                                           json["roundness"] = renderer::roundness(*shape);
                                       }},
@@ -163,9 +154,11 @@ Json legend_of_arrows() {
 
 std::string polyhedra_of(const Simulation& simulation) {
     const renderer::Picture picture = draw_list(simulation.scene(), simulation.scene().view);
-    const Shapes shapes(picture);
+    const auto numbers = numbered_shapes(picture);
+    std::vector<renderer::Polyhedron> shapes(numbers.size());
+    for (const auto& [shape, number] : numbers) shapes[number] = shape;
     std::string bytes;
-    for (const renderer::Polyhedron& shape : shapes.all()) append_mesh(bytes, convex_mesh(*shape));
+    for (const renderer::Polyhedron& shape : shapes) append_mesh(bytes, convex_mesh(*shape));
     return bytes;
 }
 

@@ -1,5 +1,5 @@
 // `pushfactor doctor`: what it finds, and its exit status where nothing can be drawn.
-#include "demos/pictures/graphics_check.h"
+#include "demos/pictures/offscreen_renderer.h"
 #include "demos/platform/processors.h"
 #include "demos/text/json.h"
 #include "renderer/images/read_png.h"

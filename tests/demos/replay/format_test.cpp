@@ -1,6 +1,6 @@
 // The numbers of a replay: what is read back, and how far it is from what was written.
 #include "demos/pictures/replay/bytes.h"
-#include "demos/pictures/replay/forces.h"
+#include "demos/pictures/replay/page.h"
 #include "tests/catch.h"
 #include "tests/demos/replay/decoder.h"
 #include "tests/random.h"

@@ -1,5 +1,4 @@
 // Cameras that fit: what is to be seen is in the picture, and fills it.
-#include "demos/pictures/camera/composition.h"
 
 #include "demos/options/comparison.h"
 #include "demos/pictures/camera/framing.h"
@@ -67,13 +66,13 @@ TEST_CASE("the subject of every scene is in the picture and fills it, in any asp
         for (const double aspect : {16.0 / 9.0, 1.0, 9.0 / 16.0, 0.38}) {
             INFO(scene.name << " " << aspect);
             const View view = composed(still.view, still.subject, aspect);
-            const Extent extent = extent_of(still.subject.points, view, aspect);
-            CHECK(extent.left > 0.03);
-            CHECK(extent.top > 0.03);
-            CHECK(extent.right < 0.97);
-            CHECK(extent.bottom < 0.97);
-            CHECK(std::max(extent.width(), extent.height()) > 0.85);
-            CHECK(std::abs(0.5 * (extent.left + extent.right) - 0.5) < 0.13);
+            const Eigen::AlignedBox2d extent = extent_of(still.subject.points, view, aspect);
+            CHECK(extent.min().x() > 0.03);
+            CHECK(extent.min().y() > 0.03);
+            CHECK(extent.max().x() < 0.97);
+            CHECK(extent.max().y() < 0.97);
+            CHECK(extent.sizes().maxCoeff() > 0.85);
+            CHECK(std::abs(0.5 * (extent.min().x() + extent.max().x()) - 0.5) < 0.13);
         }
     }
 }
@@ -85,8 +84,8 @@ TEST_CASE("a row that recedes from the camera fills a tall picture better than o
     }
     const View view{.eye = {0, 6, 20}, .target = {0, 0, 0}};
     const auto area = [&](const View& from) {
-        const Extent extent = extent_of(row.points, from, 0.5);
-        return extent.width() * extent.height();
+        const Eigen::AlignedBox2d extent = extent_of(row.points, from, 0.5);
+        return extent.volume();
     };
     const std::vector<Ball> balls = [&] {
         std::vector<Ball> list;
@@ -116,8 +115,8 @@ TEST_CASE("walls of a funnel belong to its picture, and a shadow moves what has 
     bare.shadow.clear();
     const View without = composed(stack.view, bare, 16.0 / 9.0);
     const auto middle = [&](const View& view) {
-        const Extent extent = extent_of(stack.subject.points, view, 16.0 / 9.0);
-        return 0.5 * (extent.left + extent.right);
+        const Eigen::AlignedBox2d extent = extent_of(stack.subject.points, view, 16.0 / 9.0);
+        return 0.5 * (extent.min().x() + extent.max().x());
     };
     CHECK(middle(with) < middle(without) - 0.05);  // the shadow falls to the right
 }

@@ -32,9 +32,9 @@ Reach outline(const View& view, const std::vector<Ball>& balls, double aspect) {
             const double side = std::sqrt(1.0 - z * z);
             const Vector3 point =
                 ball.centre + ball.radius * Vector3(side * std::cos(turn), z, side * std::sin(turn));
-            const Place place = place_in_picture(point, view, aspect);
-            most.across = std::max(most.across, std::abs(2.0 * place.x - 1.0));
-            most.up = std::max(most.up, std::abs(2.0 * place.y - 1.0));
+            const Eigen::Vector2d place = place_in_picture(point, view, aspect);
+            most.across = std::max(most.across, std::abs(2.0 * place.x() - 1.0));
+            most.up = std::max(most.up, std::abs(2.0 * place.y() - 1.0));
         }
     }
     return most;
@@ -61,12 +61,12 @@ TEST_CASE("a single ball is seen from outside of it, however near that would hav
 
 TEST_CASE("the middle of the picture is where the camera looks, and its corners are where the angles say") {
     const View view{.eye = {0, 0, 10}, .target = {0, 0, 0}, .field_of_view = 90.0};
-    const Place middle = place_in_picture({0, 0, 0}, view, 2.0);
-    CHECK(middle.x == Approx(0.5));
-    CHECK(middle.y == Approx(0.5));
-    const Place corner = place_in_picture({20, 10, 0}, view, 2.0);
-    CHECK(corner.x == Approx(1.0));
-    CHECK(corner.y == Approx(0.0).margin(1e-12));
+    const Eigen::Vector2d middle = place_in_picture({0, 0, 0}, view, 2.0);
+    CHECK(middle.x() == Approx(0.5));
+    CHECK(middle.y() == Approx(0.5));
+    const Eigen::Vector2d corner = place_in_picture({20, 10, 0}, view, 2.0);
+    CHECK(corner.x() == Approx(1.0));
+    CHECK(corner.y() == Approx(0.0).margin(1e-12));
 }
 
 TEST_CASE("a view is widened until it shows what it must, and never narrowed") {

@@ -46,9 +46,9 @@ Shown shown(const std::string& text, const std::string& compare = "") {
 bool is_seen(const Choices& choices, double aspect) {
     Simulation simulation(choices);
     for (long step = 0; step <= whole_steps(choices.settings); ++step) {
-        const Place place =
+        const Eigen::Vector2d place =
             place_in_picture(simulation.scene().world.bodies[1].position, choices.description.view, aspect);
-        if (std::min(place.x, place.y) < 0.0 || std::max(place.x, place.y) > 1.0) return false;
+        if (place.minCoeff() < 0.0 || place.maxCoeff() > 1.0) return false;
         simulation.advance();
     }
     return true;
