@@ -1,6 +1,8 @@
 #include "demos/checks/comparison.h"
 
+#include "demos/platform/output_file.h"
 #include "demos/text/errors.h"
+#include "demos/text/numbers.h"
 #include "renderer/base/renderer_error.h"
 #include "renderer/images/flip.h"
 #include "renderer/images/png.h"
@@ -8,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -18,13 +21,25 @@ namespace pushfactor::demos::checks {
 
 namespace {
 
-// Worse than any difference of pixels.
-constexpr double worst = 2.0;
+bool keeps(const Limit& limit, const renderer::ImageDifference& difference) {
+    return difference.share_above(limit.level) <= limit.share;
+}
 
-void refuse(Compared& compared, Finding finding, std::string text) {
-    compared.verdict.finding = finding;
-    compared.verdict.badness = worst;
-    compared.verdict.text = std::move(text);
+std::string percent(double share) {
+    return fmt::format("{:.3g} %", 100.0 * share);
+}
+
+std::optional<Limit> parse_limit(std::string_view text) {
+    const std::size_t colon = text.find(':');
+    const auto level = parse_integer(text.substr(0, colon));
+    if (!level || *level < 0 || *level > 255) return std::nullopt;
+    if (colon == std::string_view::npos) return Limit{*level, 0.0};
+    std::string_view share = text.substr(colon + 1);
+    if (!share.ends_with('%')) return std::nullopt;
+    share.remove_suffix(1);
+    const auto value = parse_number(share);
+    if (!value || *value < 0.0 || *value > 100.0) return std::nullopt;
+    return Limit{*level, *value / 100.0};
 }
 
 // Fills in what differs between two images of one size.
@@ -48,17 +63,61 @@ void look(const Tolerance& tolerance, const renderer::Image& expected, const ren
 
 }  // namespace
 
+bool Tolerance::accepts(const renderer::ImageDifference& difference, std::optional<double> mean_flip) const {
+    if (flip) return mean_flip && *mean_flip <= *flip;
+    return std::all_of(limits.begin(), limits.end(), [&](const Limit& limit) { return keeps(limit, difference); });
+}
+
+std::string Tolerance::complaint(const renderer::ImageDifference& difference,
+                                 std::optional<double> mean_flip) const {
+    const std::string largest = fmt::format("the largest by {} levels", difference.largest());
+    if (flip) {
+        return fmt::format("mean FLIP error {:.3g} ({} allowed); {} of the pixels differ, {}",
+                           mean_flip.value_or(1.0), *flip, percent(difference.share_above(0)), largest);
+    }
+    const auto broken =
+        std::find_if(limits.begin(), limits.end(), [&](const Limit& limit) { return !keeps(limit, difference); });
+    const Limit limit = broken == limits.end() ? Limit{} : *broken;
+    const std::string more = limit.level > 0 ? fmt::format(" by more than {} levels", limit.level) : "";
+    const std::string allowed = limit.share > 0.0 ? fmt::format(" ({} allowed)", percent(limit.share)) : "";
+    return fmt::format("{} of the pixels differ{}{}, {}", percent(difference.share_above(limit.level)), more,
+                       allowed, largest);
+}
+
+std::string Tolerance::text() const {
+    if (flip) return fmt::format("mean FLIP error at most {}", *flip);
+    std::string text;
+    for (const Limit& limit : limits) {
+        if (!text.empty()) text += ", ";
+        if (limit.level == 0 && limit.share == 0.0) return "to the byte";
+        text += limit.share > 0.0
+                    ? fmt::format("at most {} of the pixels by more than {}", percent(limit.share), limit.level)
+                    : fmt::format("none by more than {}", limit.level);
+    }
+    return text + " levels of 255";
+}
+
+std::optional<std::vector<Limit>> parse_limits(std::string_view text) {
+    std::vector<Limit> limits;
+    for (const std::string_view part : parts_of(text)) {
+        const auto limit = parse_limit(part);
+        if (!limit) return std::nullopt;
+        limits.push_back(*limit);
+    }
+    return limits;
+}
+
 Compared compare(const Comparison& how, const std::filesystem::path& expected, const renderer::Image& actual,
                  const Bytes& file) {
     Compared compared;
     compared.actual = file;
-    compared.verdict.name = expected.filename();
+    const std::string name = compared.verdict.name = expected.filename();
     const std::optional<Bytes> bytes = read_bytes(expected);
     if (compared.actual.empty() && (how.same_bytes || !bytes)) {
         compared.actual = renderer::encode_png(actual, {.dots_per_inch = 0.0, .film = how.film});
     }
     if (!bytes) {
-        refuse(compared, Finding::missing, "missing");
+        compared.verdict = refused(name, Finding::missing, "missing");
         return compared;
     }
     if (how.same_bytes && compared.actual == *bytes) return {.verdict = compared.verdict};
@@ -75,14 +134,14 @@ Compared compare(const Comparison& how, const std::filesystem::path& expected, c
                 if (!compared.verdict.holds()) compared.verdict.text = "opacity: " + compared.verdict.text;
             }
         } else {
-            refuse(compared, Finding::other_size,
-                   fmt::format("another size: {}x{} instead of {}x{} pixels", actual.width, actual.height,
-                               image.width, image.height));
+            compared.verdict = refused(name, Finding::other_size,
+                                       fmt::format("another size: {}x{} instead of {}x{} pixels", actual.width,
+                                                   actual.height, image.width, image.height));
         }
         if (compared.verdict.holds()) return {.verdict = compared.verdict};
         compared.expected = *bytes;
     } catch (const renderer::RendererError& error) {
-        refuse(compared, Finding::unreadable, error.what());
+        compared.verdict = refused(name, Finding::unreadable, error.what());
     }
     if (compared.actual.empty()) {
         compared.actual = renderer::encode_png(actual, {.dots_per_inch = 0.0, .film = how.film});
@@ -99,8 +158,13 @@ std::optional<Bytes> read_bytes(const std::filesystem::path& file) {
     return Bytes(std::istreambuf_iterator<char>(stream), {});
 }
 
-PictureVerdict without(const std::string& name, const std::string& text) {
-    return {.name = name, .finding = Finding::missing, .badness = worst, .text = text};
+void write_bytes(const std::filesystem::path& file, const Bytes& bytes) {
+    write_file(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+}
+
+PictureVerdict refused(const std::string& name, Finding finding, const std::string& text) {
+    constexpr double worst = 2.0;  // than any difference of pixels
+    return {.name = name, .finding = finding, .badness = worst, .text = text};
 }
 
 }  // namespace pushfactor::demos::checks

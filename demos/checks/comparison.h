@@ -1,16 +1,45 @@
-// A picture beside the file that is expected.
+// A picture beside the file that is expected, and how much it may differ from it.
 #pragma once
 
-#include "demos/checks/tolerance.h"
 #include "demos/checks/verdict.h"
-#include "renderer/images/image.h"
+#include "renderer/images/difference.h"
 
 #include <cstdint>
-#include <filesystem>
-#include <functional>
-#include <vector>
+#include <optional>
+#include <string_view>
 
 namespace pushfactor::demos::checks {
+
+// At most `share` (0..1) of the pixels may differ by more than `level` (0..255) in any channel.
+struct Limit {
+    int level = 0;
+    double share = 0.0;
+};
+
+struct Tolerance {
+    std::vector<Limit> limits{};   // all hold
+    std::optional<double> flip{};  // largest mean FLIP error, 0..1; replaces the limits
+
+    bool accepts(const renderer::ImageDifference& difference, std::optional<double> mean_flip) const;
+
+    // What is not accepted, in numbers.
+    std::string complaint(const renderer::ImageDifference& difference, std::optional<double> mean_flip) const;
+
+    std::string text() const;
+};
+
+// "2:0.05%,16:0.005%"; "2" stands for "2:0%". None if it is not of this form.
+std::optional<std::vector<Limit>> parse_limits(std::string_view text);
+
+// Equal pixels: for pictures of the same program and driver.
+inline Tolerance exactly() {
+    return {.limits = {{0, 0.0}}};
+}
+
+// For another driver, which rounds some pixels on edges differently.
+inline Tolerance usual() {
+    return {.limits = {{2, 0.0005}, {16, 0.00005}}};
+}
 
 using Bytes = std::vector<std::uint8_t>;
 
@@ -33,8 +62,9 @@ Compared compare(const Comparison& how, const std::filesystem::path& expected, c
 
 // The bytes of a file; none if there is no such file. Throws OutputError if it cannot be read.
 std::optional<Bytes> read_bytes(const std::filesystem::path& file);
+void write_bytes(const std::filesystem::path& file, const Bytes& bytes);
 
-// The verdict on a picture without a partner.
-PictureVerdict without(const std::string& name, const std::string& text);
+// The verdict on a picture that cannot be compared.
+PictureVerdict refused(const std::string& name, Finding finding, const std::string& text);
 
 }  // namespace pushfactor::demos::checks

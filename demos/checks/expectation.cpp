@@ -100,8 +100,12 @@ bool Expectation::was_made_with(const std::string& driver) const {
 }
 
 std::vector<std::string> Expectation::unexpected() const {
-    std::vector<std::string> names = pictures_in(folder);
-    std::erase_if(names, [this](const std::string& name) { return sequence.frames.front().has(name); });
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(folder)) {
+        const std::string name = entry.path().filename();
+        if (is_png(name) && !sequence.frames.front().has(name)) names.push_back(name);
+    }
+    std::ranges::sort(names);
     return names;
 }
 
@@ -160,15 +164,6 @@ std::vector<fs::path> files_below(const fs::path& folder) {
     };
     look(folder);
     return files;
-}
-
-std::vector<std::string> pictures_in(const fs::path& folder) {
-    std::vector<std::string> names;
-    for (const auto& entry : fs::directory_iterator(folder)) {
-        if (is_png(entry.path())) names.push_back(entry.path().filename());
-    }
-    std::sort(names.begin(), names.end());
-    return names;
 }
 
 std::vector<RunVerdict> compare_runs(const Expectation& expected, const Json& summary, bool hash) {

@@ -21,7 +21,7 @@ struct Expectation {
     // Whether this program with `driver` made the pictures; unknown for a program that was modified.
     bool was_made_with(const std::string& driver) const;
 
-    // PNG files that are none of its frames.
+    // Names of the PNG files in the folder that are none of its frames, in order.
     std::vector<std::string> unexpected() const;
 };
 
@@ -40,9 +40,6 @@ bool is_png(const std::filesystem::path& file);
 // All files of a folder and those below it, through links, in order. Throws UsageError for a folder that cannot be
 // read.
 std::vector<std::filesystem::path> files_below(const std::filesystem::path& folder);
-
-// Names of the PNG files in a folder, without those below it, in order.
-std::vector<std::string> pictures_in(const std::filesystem::path& folder);
 
 // The options and the physics of the new run against those of the expectation: each panel's options by name, and
 // its state hash unless `hash` is false.

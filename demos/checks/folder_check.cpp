@@ -1,16 +1,20 @@
 #include "demos/checks/folder_check.h"
 
-#include "demos/checks/comparison.h"
 #include "demos/checks/trajectory.h"
 #include "demos/checks/worst_pictures.h"
 #include "demos/pictures/film/film.h"
+#include "demos/platform/output_file.h"
 #include "demos/platform/progress.h"
 #include "demos/runs/recorder.h"
 #include "demos/text/errors.h"
+#include "renderer/base/renderer_error.h"
+#include "renderer/images/read_png.h"
 
 #include <fmt/format.h>
 
+#include <functional>
 #include <memory>
+#include <set>
 #include <utility>
 
 namespace pushfactor::demos::checks {
@@ -21,33 +25,34 @@ namespace fs = std::filesystem;
 using pictures::FrameQueue;
 using pictures::StageWatch;
 
-// Takes the verdicts in the order of the frames.
+// Takes the verdicts in the order of the pictures.
 class PictureVerdicts {
   public:
-    PictureVerdicts(const fs::path& folder, const Comparison& comparison, const FolderJob& job, Update* update)
-        : folder_(folder), comparison_(comparison), worst_(job.pages / job.anchor), update_(update) {}
+    // Pictures that differ go to `update` unless it is null.
+    explicit PictureVerdicts(const FolderJob& job, Update* update = nullptr)
+        : worst_(job.pages / job.anchor), update_(update) {}
 
-    FrameQueue::End look(const std::string& name, const renderer::Image& image, StageWatch&) {
+    FrameQueue::End of(const std::function<Compared()>& compare) {
         const Stopwatch own;
-        auto compared = std::make_shared<Compared>(compare(comparison_, folder_ / name, image));
+        auto compared = std::make_shared<Compared>(compare());
         compared->verdict.seconds = own.seconds();
         return [this, compared](StageWatch&) { take(*compared); };
     }
 
-    void take(const Compared& compared) {
-        worst_.offer(compared);
-        if (update_ && !compared.verdict.holds()) update_->stage(compared.verdict.name, compared.actual);
-        verdicts_.push_back(compared.verdict);
-    }
-
-    std::vector<PictureVerdict> verdicts() {
+    std::vector<PictureVerdict> all() {
         worst_.mark(verdicts_);
         return verdicts_;
     }
 
   private:
-    const fs::path& folder_;
-    Comparison comparison_;
+    void take(const Compared& compared) {
+        worst_.offer(compared);
+        if (update_ && !compared.verdict.holds()) {
+            write_bytes(update_->staged(compared.verdict.name), compared.actual);
+        }
+        verdicts_.push_back(compared.verdict);
+    }
+
     WorstPictures worst_;
     Update* update_;
     std::vector<PictureVerdict> verdicts_;
@@ -56,11 +61,63 @@ class PictureVerdicts {
 // Frames that were not drawn, because the run ended early.
 void add_missing(const Sequence& sequence, std::vector<PictureVerdict>& verdicts) {
     for (std::size_t i = verdicts.size(); i < sequence.frame_count(); ++i) {
-        verdicts.push_back(without(sequence.frames.front()[i].name, "not drawn: the run ended before"));
+        verdicts.push_back(
+            refused(sequence.frames.front()[i].name, Finding::missing, "not drawn: the run ended before"));
+    }
+}
+
+// PNG files below a folder, by their paths in it.
+std::set<std::string> pictures_below(const fs::path& folder) {
+    std::set<std::string> names;
+    if (!fs::is_directory(folder)) throw UsageError(fmt::format("check {}: must be a folder", folder.string()));
+    for (const fs::path& file : files_below(folder)) {
+        if (is_png(file)) names.insert(file.lexically_relative(folder).generic_string());
+    }
+    return names;
+}
+
+// The images of the second folder, compared with the first by the threads of a queue.
+Compared compare_files(const Comparison& comparison, const fs::path& expected, const fs::path& actual) {
+    const std::optional<Bytes> before = read_bytes(expected), now = read_bytes(actual);
+    Compared compared;
+    try {
+        const renderer::Image image = renderer::decode_png(now.value_or(Bytes{}));
+        if (before == now) return compared;
+        return compare(comparison, expected, image, *now);
+    } catch (const renderer::RendererError& error) {
+        compared.verdict = refused("", Finding::unreadable, error.what());
+        compared.expected = before.value_or(Bytes{});
+        return compared;
     }
 }
 
 }  // namespace
+
+Update::Update(fs::path folder) : folder_(std::move(folder)), staging_(folder_ / ".new") {
+    make_folder(folder_);
+    make_folder(staging_);
+}
+
+Update::~Update() {
+    std::error_code ignored;
+    fs::remove_all(staging_, ignored);
+}
+
+long Update::apply() {
+    long count = 0;
+    for (const auto& entry : fs::directory_iterator(staging_)) {
+        std::error_code error;
+        const fs::path target = folder_ / entry.path().filename();
+        if (fs::is_symlink(target, error)) {
+            write_file(target, read_bytes_of(entry.path()).value_or(""));
+        } else {
+            fs::rename(entry.path(), target, error);
+            if (error) throw OutputError(fmt::format("{}: {}", target.string(), error.message()));
+        }
+        ++count;
+    }
+    return count;
+}
 
 FolderVerdict check_folder(const Expectation& expected, const Rules& rules, const FolderJob& job,
                            pictures::OffscreenRenderer& offscreen, Update* update) {
@@ -85,22 +142,23 @@ FolderVerdict check_folder(const Expectation& expected, const Rules& rules, cons
     const bool same = expected.was_made_with(offscreen.driver());
     const Tolerance tolerance = rules.tolerance.value_or(same ? exactly() : usual());
     FolderVerdict verdict{.name = job.name, .anchor = job.anchor, .how = tolerance.text()};
-    PictureVerdicts compared(expected.folder,
-                             {.tolerance = tolerance,
-                              .film = film_mark(sequence.panels.front().choices, expected.given),
-                              .same_bytes = same},
-                             job, update);
+    const Comparison comparison{.tolerance = tolerance,
+                                .film = film_mark(sequence.panels.front().choices, expected.given),
+                                .same_bytes = same};
+    PictureVerdicts verdicts(job, update);
     try {
-        FrameQueue queue([&](const std::string& name, const renderer::Image& image,
-                             StageWatch& watch) { return compared.look(name, image, watch); },
-                         nullptr);
+        FrameQueue queue(
+            [&](const std::string& name, const renderer::Image& image, StageWatch&) {
+                return verdicts.of([&] { return compare(comparison, expected.folder / name, image); });
+            },
+            nullptr);
         take_frames(session, &recorder, {.film = &film}, queue, nullptr, job.progress);
     } catch (const NonFiniteError& error) {
         verdict.runs.push_back({.subject = "run", .holds = false, .text = error.what()});
         verdict.made = false;
     }
     stop_if_interrupted("no expected file was changed");
-    verdict.pictures = compared.verdicts();
+    verdict.pictures = verdicts.all();
     add_missing(sequence, verdict.pictures);
     verdict.unexpected = expected.unexpected();
     const std::string summary = summary_of(session, recorder.finish(), offscreen.driver());
@@ -116,10 +174,46 @@ FolderVerdict check_folder(const Expectation& expected, const Rules& rules, cons
              .compared = false});
     }
     if (update && verdict.failures() + verdict.not_compared() > 0) {
-        update->stage("summary.json", summary);
+        write_file(update->staged("summary.json"), summary);
     } else if (update) {
-        update->drop("trajectory.csv");
+        std::error_code ignored;
+        fs::remove(update->staged("trajectory.csv"), ignored);
     }
+    verdict.seconds = stopwatch.seconds();
+    return verdict;
+}
+
+FolderVerdict check_pictures(const fs::path& expected, const fs::path& actual, const Tolerance& tolerance,
+                             const FolderJob& job) {
+    const Stopwatch stopwatch;
+    const std::set<std::string> names = pictures_below(expected), others = pictures_below(actual);
+    if (names.empty()) {
+        throw UsageError(fmt::format("check {}: must have PNG files in it or below", expected.string()));
+    }
+    FolderVerdict verdict{.name = job.name, .anchor = job.anchor, .how = tolerance.text()};
+    for (const std::string& name : others) {
+        if (!names.contains(name)) verdict.unexpected.push_back(name);
+    }
+    PictureVerdicts verdicts(job);
+    FrameQueue queue(
+        [&](const std::string& name, const renderer::Image&, StageWatch&) {
+            return verdicts.of([&] {
+                if (!others.contains(name)) return Compared{.verdict = refused(name, Finding::missing, "missing")};
+                Compared compared = compare_files({.tolerance = tolerance}, expected / name, actual / name);
+                compared.verdict.name = name;
+                return compared;
+            });
+        },
+        nullptr);
+    long done = 0;
+    for (const std::string& name : names) {
+        if (interrupted()) break;
+        queue.send(name, {});
+        job.progress(++done);
+    }
+    queue.flush();
+    stop_if_interrupted("no file was changed");
+    verdict.pictures = verdicts.all();
     verdict.seconds = stopwatch.seconds();
     return verdict;
 }

@@ -44,9 +44,11 @@ struct FolderVerdict {
     long not_compared() const {
         return std::count_if(runs.begin(), runs.end(), [](const auto& one) { return !one.compared; });
     }
+    long differing() const {
+        return std::count_if(pictures.begin(), pictures.end(), [](const auto& one) { return !one.holds(); });
+    }
     long failures() const {
-        return std::count_if(pictures.begin(), pictures.end(), [](const auto& one) { return !one.holds(); }) +
-               std::count_if(runs.begin(), runs.end(), [](const auto& one) { return !one.holds; });
+        return differing() + std::count_if(runs.begin(), runs.end(), [](const auto& one) { return !one.holds; });
     }
 };
 

@@ -1,6 +1,5 @@
 #include "demos/checks/check_page.h"
 #include "demos/checks/folder_check.h"
-#include "demos/checks/picture_folders.h"
 #include "demos/commands/commands.h"
 #include "demos/pages/verdict_files.h"
 #include "demos/platform/output_file.h"
