@@ -1,5 +1,4 @@
 #include "demos/commands/commands.h"
-#include "demos/figures/figure.h"
 #include "demos/figures/figure_output.h"
 #include "demos/figures/printing/latex.h"
 #include "demos/pages/live_links.h"

@@ -1,4 +1,4 @@
-#include "demos/figures/figure.h"
+#include "demos/figures/figure_output.h"
 
 #include <array>
 

@@ -1,5 +1,4 @@
 // Figure 11, "Sphere resting in a V shaped corner", with the rows of J of section 12.2 as the engine has them.
-#include "demos/figures/figure.h"
 #include "demos/figures/figure_output.h"
 #include "demos/pictures/camera/framing.h"
 #include "demos/pictures/draw_list.h"

@@ -1,10 +1,10 @@
-// Output of figures: a folder, a format, a offscreen, and gnuplot for plots.
+// The figures, and what they are written with: a folder, a format, a renderer, and gnuplot for plots.
 #pragma once
 
-#include "demos/figures/figure.h"
 #include "demos/figures/printing/format.h"
 #include "demos/figures/printing/sheet.h"
 #include "demos/options/named_run.h"
+#include "demos/pages/page.h"
 #include "demos/pages/table.h"
 #include "demos/pictures/offscreen_renderer.h"
 
@@ -12,6 +12,16 @@
 #include <string>
 
 namespace pushfactor::demos::figures {
+
+struct Figure;
+class FigureOutput;
+using MakeFigure = SectionContent(FigureOutput& output, const Figure& figure);
+
+struct Figure {
+    std::string_view name;  // also the stem of its files
+    std::string_view title;
+    MakeFigure* make;
+};
 
 class FigureOutput {
   public:
@@ -42,5 +52,12 @@ class FigureOutput {
     FigureFormat format_;
     pictures::OffscreenRenderer offscreen_;
 };
+
+// In page order: the paper's by number, then ours.
+std::span<const Figure> all_figures();
+
+MakeFigure push_error, stack_over_time, intersecting_stack, funnel, pendulum_grid, pendulum_wave, sphere_in_corner;
+MakeFigure push_against_beta, push_pump, intersecting_motion, pendulum_energy, arch_thickness, domino_speed;
+MakeFigure platonic_energy, stack_forces;
 
 }  // namespace pushfactor::demos::figures

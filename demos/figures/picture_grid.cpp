@@ -8,10 +8,8 @@
 #include "demos/pictures/overlays/overlay.h"
 #include "demos/pictures/replay/replay.h"
 #include "demos/platform/progress.h"
-#include "demos/text/errors.h"
 
 #include <algorithm>
-#include <cmath>
 #include <sstream>
 
 namespace pushfactor::demos::figures {
@@ -31,23 +29,15 @@ bool goes_on(const Simulation&) {
 }
 
 // Calls `show` with the index of each cell and its run at the cell's time.
-void play(const PictureGrid& grid, const std::function<void(std::size_t cell, const Simulation& run)>& show) {
-    struct Cells : Observer {
-        std::function<void(std::size_t)> show;
-        void frame(std::size_t number) override { show(number); }
-    };
+void play_cells(const PictureGrid& grid, const std::function<void(std::size_t cell, const Simulation& run)>& show) {
     for (std::size_t r = 0; r < grid.runs.size(); ++r) {
-        std::vector<Frame> frames;
-        std::vector<std::size_t> indices;
+        Simulation run(grid.runs[r]);
         for (std::size_t i = 0; i < grid.cells.size(); ++i) {
             if (grid.cells[i].row != r) continue;
-            frames.push_back({step_of(grid.cells[i].time, grid.runs[r]), ""});
-            indices.push_back(i);
+            const long step = step_of(grid.cells[i].time, grid.runs[r]);
+            play(run, [step](const Simulation& now) { return goes_on(now) && now.sample().step < step; });
+            show(i, run);
         }
-        Session session({.panels = {{.label = "", .choices = grid.runs[r]}}, .frames = {frames}});
-        Cells cells;
-        cells.show = [&](std::size_t number) { show(indices[number], session.run(0)); };
-        session.play_frames({&cells}, goes_on);
     }
 }
 
@@ -57,7 +47,7 @@ View camera_of(const PictureGrid& grid, double aspect, double label) {
     if (!grid.fit) return view;
     pictures::Outline outline;
     Eigen::AlignedBox3d near;
-    play(grid, [&](std::size_t, const Simulation& run) {
+    play_cells(grid, [&](std::size_t, const Simulation& run) {
         if (near.isEmpty()) near = pictures::surroundings(pictures::movable_balls(run.scene()));
         pictures::add_moving(run.scene(), near, outline);
     });
@@ -167,8 +157,6 @@ void write_replay(const PictureGrid& grid, const std::string& command, const std
     replay.finish();
 }
 
-}  // namespace
-
 Sheet draw_grid(FigureOutput& output, const PictureGrid& grid) {
     const pictures::Lettering& lettering = output.offscreen().lettering();
     const Room room = room_of(output, grid, lettering);
@@ -189,7 +177,7 @@ Sheet draw_grid(FigureOutput& output, const PictureGrid& grid) {
         cells[i].x += static_cast<float>(room.left);
         cells[i].y += static_cast<float>(static_cast<int>(i) / grid.columns * room.below);
     }
-    play(grid, [&](std::size_t i, const Simulation& run) {
+    play_cells(grid, [&](std::size_t i, const Simulation& run) {
         renderer::Picture picture = pictures::draw_list(run.scene(), view);
         picture.mark_scale = static_cast<float>(rows);
         if (grid.overlay) {
@@ -219,6 +207,8 @@ Sheet draw_grid(FigureOutput& output, const PictureGrid& grid) {
     }
     return sheet;
 }
+
+}  // namespace
 
 SectionContent draw_figure(FigureOutput& output, const Figure& figure, const PictureGrid& grid) {
     SectionContent content;

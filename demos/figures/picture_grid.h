@@ -1,7 +1,6 @@
 // A picture with runs as rows and times as columns.
 #pragma once
 
-#include "demos/figures/figure.h"
 #include "demos/figures/figure_output.h"
 #include "demos/options/look_choices.h"
 #include "demos/runs/session.h"
@@ -32,9 +31,7 @@ struct PictureGrid {
     std::function<void(const Cell& cell, const Simulation& run)> look{};
 };
 
-Sheet draw_grid(FigureOutput& output, const PictureGrid& grid);
-
-// The same as a figure's picture.
+// The grid as the picture of a figure, and a replay of its runs.
 SectionContent draw_figure(FigureOutput& output, const Figure& figure, const PictureGrid& grid);
 
 }  // namespace pushfactor::demos::figures

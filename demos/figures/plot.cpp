@@ -27,15 +27,11 @@ std::string gnuplot_string(const std::string& text) {
     return result + "'";
 }
 
-std::string hexadecimal(const Colour& colour) {
-    return fmt::format("#{:06x}", number_of(colour));
-}
-
 // The palette of the frames, or that of print, as gnuplot variables.
 std::string colours(const FigureFormat& format) {
     std::string text;
     for (const Colour& colour : format.print ? print_palette : palette) {
-        text += fmt::format("{} = {}; ", colour.name, gnuplot_string(hexadecimal(colour)));
+        text += fmt::format("{} = {}; ", colour.name, gnuplot_string(fmt::format("#{:06x}", number_of(colour))));
     }
     return text;
 }

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <utility>
 
 namespace pushfactor::demos::figures {
 
@@ -13,17 +14,13 @@ namespace {
 
 using engine::Body;
 
-// Adds the values of `measure` to `table`, one row per step; the first column is the time.
-void follow(const Choices& choices, std::size_t first_column,
-            const std::function<std::vector<double>(const Simulation&)>& measure, Table& table) {
+// Adds the values of `measure` to the rows of `table`, one per step, which begin with the time.
+void follow(const Choices& choices, const std::function<std::vector<double>(const Simulation&)>& measure,
+            Table& table) {
     Simulation run(choices);
     for (std::size_t step = 0;; ++step) {
-        if (table.rows.size() <= step) {
-            table.rows.emplace_back(table.columns.size());
-            table.rows.back()[0] = run.sample().time;
-        }
-        const std::vector<double> values = measure(run);
-        std::copy(values.begin(), values.end(), table.rows[step].begin() + static_cast<long>(first_column));
+        if (table.rows.size() <= step) table.rows.push_back({run.sample().time});
+        for (const double value : measure(run)) table.rows[step].emplace_back(value);
         if (run.sample().step >= whole_steps(choices.settings)) return;
         run.advance();
     }
@@ -61,18 +58,15 @@ SectionContent intersecting_motion(FigureOutput& output, const Figure& figure) {
                             "upward_speed_single_frame_m_per_s"},
                 .rows = {}};
     std::vector<double> most;
-    std::size_t column = 1;
-    for (const std::string push : {"none", "persistent", "single-frame"}) {
-        const OptionTexts options{{"preset", "paper"}, {"push", push}, {"seconds", "6"}};
+    for (const char* const push : {"none", "persistent", "single-frame"}) {
         most.push_back(0.0);
         follow(
-            run_of("intersecting-stack", options), column,
+            run_of("intersecting-stack", {{"preset", "paper"}, {"push", push}, {"seconds", "6"}}),
             [&](const Simulation& run) {
                 most.back() = std::max(most.back(), highest(run));
                 return std::vector<double>{highest(run), fastest_upwards(run)};
             },
             table);
-        column += 2;
     }
     const std::string caption = fmt::format(
         "Height of the topmost centre and the largest stored upward velocity of the intersecting stack (preset "
@@ -88,18 +82,13 @@ SectionContent intersecting_motion(FigureOutput& output, const Figure& figure) {
 
 SectionContent pendulum_energy(FigureOutput& output, const Figure& figure) {
     Table table{.columns = {"time_s", "persistent_1", "persistent_0.2", "single_frame_1"}, .rows = {}};
-    struct Case {
-        const char* push;
-        const char* beta;
-    };
     std::vector<double> left;
-    std::size_t column = 1;
-    for (const Case& each : {Case{"persistent", "1"}, Case{"persistent", "0.2"}, Case{"single-frame", "1"}}) {
-        const OptionTexts options{
-            {"count", "1"}, {"distance-push", each.push}, {"distance-beta", each.beta}, {"seconds", "120"}};
+    for (const auto& [push, beta] :
+         {std::pair{"persistent", "1"}, std::pair{"persistent", "0.2"}, std::pair{"single-frame", "1"}}) {
         double start = 0.0, kinetic = 0.0, potential = 0.0, lowest = 0.0;
         follow(
-            run_of("pendulum-wave", options), column,
+            run_of("pendulum-wave",
+                   {{"count", "1"}, {"distance-push", push}, {"distance-beta", beta}, {"seconds", "120"}}),
             [&](const Simulation& run) {
                 // Momenta are half a step before positions, so the kinetic energies of two steps are averaged
                 // around the potential energy between them; the first value is the start, at rest.
@@ -117,8 +106,7 @@ SectionContent pendulum_energy(FigureOutput& output, const Figure& figure) {
                 return std::vector<double>{energy / start};
             },
             table);
-        left.push_back(table.rows.back()[column].number());
-        ++column;
+        left.push_back(table.rows.back().back().number());
     }
     const std::string caption = fmt::format(
         "Energy of a pendulum's swing over two minutes at 60 steps per second, as a share of what it had at the "
@@ -135,14 +123,13 @@ SectionContent pendulum_energy(FigureOutput& output, const Figure& figure) {
 
 SectionContent stack_forces(FigureOutput& output, const Figure& figure) {
     Table table{.columns = {"time_s"}, .rows = {}};
-    const OptionTexts options{{"seconds", "10"}};
-    const Choices choices = run_of("stack", options);
+    const Choices choices = run_of("stack", {{"seconds", "10"}});
     for (std::size_t i = 1; i < choices.description.bodies.size(); ++i) {
         table.columns.push_back(fmt::format("below_cube_{}_n", i));
     }
     std::vector<double> last;
     follow(
-        choices, 1, [&](const Simulation& run) { return last = forces_between(run); }, table);
+        choices, [&](const Simulation& run) { return last = forces_between(run); }, table);
     const std::string caption = fmt::format(
         "Contact forces of the stack, summed over the points below each cube, in the first two seconds; default "
         "settings. After 10 s they are {:.4f}, {:.4f}, {:.4f}, {:.4f} and {:.4f} N: what each pair has to carry is "
