@@ -1,11 +1,13 @@
 #include "demos/pages/html.h"
 
 #include "demos/pages/live_links.h"
+#include "demos/platform/assets.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cctype>
+#include <filesystem>
 #include <functional>
 
 namespace pushfactor::demos::html {
@@ -46,7 +48,7 @@ std::string link_to(std::string_view file) {
 
 std::string command(std::string_view command, std::string_view what) {
     std::string live;
-    if (has_live_page()) {
+    if (std::filesystem::exists(live_page())) {
         for (const LiveLink& link : live_links(command)) {
             live += fmt::format(" · <a href=\"{}\">In the browser{}</a>", escaped(link.address),
                                 link.differs.empty() ? "" : ", " + escaped(link.differs));

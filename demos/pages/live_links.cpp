@@ -9,13 +9,12 @@
 #include "demos/platform/output_file.h"
 #include "demos/platform/shell_words.h"
 #include "demos/scenes/catalogue.h"
-#include "demos/text/errors.h"
 #include "demos/text/rational.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <optional>
+#include <iterator>
 
 namespace pushfactor::demos {
 
@@ -34,49 +33,40 @@ OptionTexts options_among(const std::vector<std::string>& words) {
     return options;
 }
 
-const std::string* find(const OptionTexts& options, std::string_view name) {
-    const auto found =
-        std::find_if(options.begin(), options.end(), [&](const auto& option) { return option.first == name; });
-    return found == options.end() ? nullptr : &found->second;
+std::string text_of(const OptionTexts& options, std::string_view name, const std::string& fallback = "") {
+    const auto found = std::ranges::find(options, name, &OptionTexts::value_type::first);
+    return found == options.end() ? fallback : found->second;
 }
 
 // The options that decide the run; the page knows no others.
 OptionTexts deciding(const SceneEntry& scene, const OptionTexts& options) {
-    const auto decides = [&](const std::string& name) {
-        if (!pictures::live::is_on_menu(name)) return false;
-        const std::vector<std::string> known = simulation_option_names();
-        return std::find(known.begin(), known.end(), name) != known.end() ||
-               std::any_of(scene.parameters.begin(), scene.parameters.end(),
-                           [&](const Parameter& parameter) { return parameter.name == name; });
-    };
+    const std::vector<std::string> known = simulation_option_names();
     OptionTexts kept;
-    for (const auto& option : options) {
-        if (decides(option.first)) kept.push_back(option);
-    }
+    std::ranges::copy_if(options, std::back_inserter(kept), [&](const auto& option) {
+        const std::string& name = option.first;
+        return pictures::live::is_on_menu(name) &&
+               (std::ranges::find(known, name) != known.end() ||
+                std::ranges::find(scene.parameters, name, &Parameter::name) != scene.parameters.end());
+    });
     return kept;
 }
 
 // That is shown last: of --at, else the end of the run.
 long last_step(const OptionTexts& options) {
-    const std::string* const at = find(options, "at");
-    const std::string* const seconds = find(options, "seconds");
-    const std::string* const dt = find(options, "dt");
-    const auto time = parse_rational(at ? at->substr(at->rfind(',') + 1) : seconds ? *seconds : "10");
-    const auto step = parse_rational(dt ? *dt : "1/60");
+    const std::string times = text_of(options, "at", text_of(options, "seconds", "10"));
+    const auto time = parse_rational(times.substr(times.rfind(',') + 1));
+    const auto step = parse_rational(text_of(options, "dt", "1/60"));
     return time && step ? static_cast<long>((*time / *step).value() + 1e-9) : 0;
 }
 
 // What the page shows of the overlays, and whether its camera shows all bodies.
 std::string shown_by(const OptionTexts& options) {
-    std::string words, kinds;
-    const std::string* const overlay = find(options, "overlay");
+    std::string kinds;
     for (const OverlayItem& item :
-         overlay ? parse_overlay(*overlay).value_or(std::vector<OverlayItem>()) : std::vector<OverlayItem>()) {
+         parse_overlay(text_of(options, "overlay")).value_or(std::vector<OverlayItem>())) {
         if (is_in_replays(item.kind)) kinds += (kinds.empty() ? "" : ",") + std::string(name_of(item.kind));
     }
-    if (!kinds.empty()) words += "&show=" + kinds;
-    if (const std::string* const camera = find(options, "camera"); camera && *camera == "fit") words += "&fit=on";
-    return words;
+    return (kinds.empty() ? "" : "&show=" + kinds) + (text_of(options, "camera") == "fit" ? "&fit=on" : "");
 }
 
 std::string address_of(const std::string& scene, const OptionTexts& deciding, const OptionTexts& all) {
@@ -94,8 +84,7 @@ std::vector<LiveLink> live_links(std::string_view command) {
     if (!scene) return {};
     const OptionTexts options = options_among(words);
     const OptionTexts own = deciding(*scene, options);
-    const std::string* const compared = find(options, "compare");
-    const auto comparison = compared ? parse_comparison(*compared) : std::nullopt;
+    const auto comparison = parse_comparison(text_of(options, "compare"));
     if (!comparison) return {{address_of(words[2], own, options), ""}};
     std::vector<LiveLink> links;
     for (const std::string& value : comparison->values) {
@@ -105,10 +94,6 @@ std::vector<LiveLink> live_links(std::string_view command) {
         links.push_back({address_of(words[2], with, options), comparison->option + " " + value});
     }
     return links;
-}
-
-bool has_live_page() {
-    return std::filesystem::exists(live_page());
 }
 
 void write_index(const std::filesystem::path& folder, const std::string& page) {

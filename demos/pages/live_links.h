@@ -17,9 +17,6 @@ struct LiveLink {
 // the catalogue, one link per value that it compares. None for other commands.
 std::vector<LiveLink> live_links(std::string_view command);
 
-// Whether there is such a page.
-bool has_live_page();
-
 // Writes FOLDER/index.html, and beside it the page that it links to. Throws OutputError.
 void write_index(const std::filesystem::path& folder, const std::string& page);
 

@@ -3,7 +3,6 @@
 #include "demos/pages/html.h"
 #include "demos/pages/short_numbers.h"
 #include "demos/platform/assets.h"
-#include "demos/text/errors.h"
 
 #include <fmt/format.h>
 

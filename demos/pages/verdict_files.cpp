@@ -1,9 +1,15 @@
-#include "demos/pages/html.h"
 #include "demos/pages/verdict_files.h"
+
+#include "demos/pages/html.h"
 #include "demos/text/utf8.h"
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <string_view>
 
 namespace pushfactor::demos {
 
@@ -32,6 +38,39 @@ std::string case_xml(const SuiteVerdict& suite, const CaseVerdict& one) {
                        start, escaped(one.failure), escaped(one.failure));
 }
 
+// A cell of a table, as text.
+std::string cell(const std::string& text) {
+    std::string result;
+    for (const char c : utf8(text)) {
+        if (std::string_view("|\\`*_<>[]#&~").find(c) != std::string_view::npos) result += '\\';
+        result += c == '\n' ? ' ' : c;
+    }
+    return result;
+}
+
+// Failures first, the worst of them first: a summary that is too long is cut.
+std::vector<std::string> lines_of(std::span<const SuiteVerdict> suites) {
+    std::multimap<double, std::string, std::greater<>> failures;  // by badness
+    for (const SuiteVerdict& suite : suites) {
+        for (const CaseVerdict& one : suite.cases) {
+            if (one.failure.empty()) continue;
+            failures.emplace(one.badness,
+                             fmt::format("| {} | {} |", cell(suite.name + ": " + one.name), cell(one.failure)));
+        }
+    }
+    std::vector<std::string> lines;
+    if (!failures.empty()) lines = {"| failure | |", "|---|---|"};
+    for (const auto& [badness, line] : failures) lines.push_back(line);
+    if (!failures.empty()) lines.emplace_back();
+    lines.insert(lines.end(), {"| | | checked | failed | not compared |", "|---|---|---|---|---|"});
+    for (const SuiteVerdict& suite : suites) {
+        lines.push_back(fmt::format(
+            "| {} | {} | {} | {} | {} |", suite.failures() > 0 ? "❌" : (suite.skipped() > 0 ? "⚠️" : "✅"),
+            cell(suite.name), std::ssize(suite.cases) - suite.skipped(), suite.failures(), suite.skipped()));
+    }
+    return lines;
+}
+
 }  // namespace
 
 std::string junit_xml(std::span<const SuiteVerdict> suites, std::time_t time) {
@@ -48,6 +87,16 @@ std::string junit_xml(std::span<const SuiteVerdict> suites, std::time_t time) {
         text += "    <system-out/>\n    <system-err/>\n  </testsuite>\n";
     }
     return text + "</testsuites>\n";
+}
+
+std::string job_summary(const std::string& headline, std::span<const SuiteVerdict> suites, std::size_t most_bytes) {
+    constexpr std::string_view cut = "\n… and more, for which there is no room here.\n";
+    std::string text = fmt::format("### {}\n\n", cell(headline));
+    for (const std::string& line : lines_of(suites)) {
+        if (text.size() + line.size() + 1 + cut.size() > most_bytes) return text + std::string(cut);
+        text += line + "\n";
+    }
+    return text;
 }
 
 }  // namespace pushfactor::demos
