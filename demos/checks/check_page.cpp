@@ -3,7 +3,6 @@
 #include "demos/checks/worst_pictures.h"
 #include "demos/pages/html.h"
 #include "demos/pages/page.h"
-#include "demos/pages/page_table.h"
 
 #include <fmt/format.h>
 

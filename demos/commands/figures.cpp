@@ -1,7 +1,6 @@
 #include "demos/commands/commands.h"
 #include "demos/figures/figure_output.h"
 #include "demos/figures/printing/latex.h"
-#include "demos/pages/live_links.h"
 #include "demos/platform/output_file.h"
 #include "demos/platform/progress.h"
 #include "demos/text/errors.h"

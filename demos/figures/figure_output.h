@@ -5,7 +5,6 @@
 #include "demos/figures/printing/sheet.h"
 #include "demos/options/named_run.h"
 #include "demos/pages/page.h"
-#include "demos/pages/table.h"
 #include "demos/pictures/offscreen_renderer.h"
 
 #include <filesystem>

@@ -3,6 +3,7 @@
 #include "demos/pages/html.h"
 #include "demos/pages/short_numbers.h"
 #include "demos/platform/assets.h"
+#include "demos/platform/output_file.h"
 
 #include <fmt/format.h>
 
@@ -143,6 +144,13 @@ std::string page_text(const std::string& title, const std::string& opening, std:
     for (std::size_t i = 0; i < sections.size(); ++i) body += section_text(sections[i], anchors[i], has_contents);
     const std::array<std::string, 2> assets{"page.css", "page.js"};
     return document(title, opening, body + "</main>\n", assets);
+}
+
+void write_index(const std::filesystem::path& folder, const std::string& page) {
+    if (page.find(fmt::format("href=\"{}#", html::name_of_live_page)) != std::string::npos) {
+        write_file(folder / html::name_of_live_page, asset_text(live_page()));
+    }
+    write_file(folder / "index.html", page);
 }
 
 }  // namespace pushfactor::demos

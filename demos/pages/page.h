@@ -1,8 +1,9 @@
 // A self-contained page of pictures with captions, tables and commands; it opens from disk.
 #pragma once
 
-#include "demos/pages/page_table.h"
+#include "demos/pages/table.h"
 
+#include <filesystem>
 #include <span>
 #include <string>
 #include <vector>
@@ -37,5 +38,8 @@ std::string section_on(const std::string& page, const std::string& name);
 // The HTML text, with style and script from assets/pages; numbers have four digits. Throws OutputError if these are
 // missing.
 std::string page_text(const std::string& title, const std::string& opening, std::span<const Section> sections);
+
+// Writes FOLDER/index.html, and beside it the page that it links to. Throws OutputError.
+void write_index(const std::filesystem::path& folder, const std::string& page);
 
 }  // namespace pushfactor::demos

@@ -1,6 +1,5 @@
 #include "demos/reports/study.h"
 
-#include "demos/pages/live_links.h"
 #include "demos/platform/output_file.h"
 #include "demos/platform/processors.h"
 #include "demos/platform/version.h"

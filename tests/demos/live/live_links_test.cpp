@@ -1,6 +1,5 @@
 // Links from commands on pages to the page in a browser.
-#include "demos/pages/live_links.h"
-
+#include "demos/pages/html.h"
 #include "demos/platform/shell_words.h"
 #include "tests/catch.h"
 
@@ -10,7 +9,7 @@ namespace {
 
 std::vector<std::string> addresses(const std::string& command) {
     std::vector<std::string> found;
-    for (const LiveLink& link : live_links(command)) found.push_back(link.address);
+    for (const html::LiveLink& link : html::live_links(command)) found.push_back(link.address);
     return found;
 }
 
@@ -24,7 +23,7 @@ TEST_CASE("a command on a page leads to the instant that it shows last, with the
           List{"live.html#scenes&scene=funnel&step=1800"});
     CHECK(addresses("pushfactor run chain --end-mass 1000 --dt 1/240 --seconds 1/2 --timing --threads 2") ==
           List{"live.html#scenes&scene=chain&end-mass=1000&dt=1/240&step=120"});
-    const auto compared = live_links(
+    const auto compared = html::live_links(
         "pushfactor render intersecting-stack --preset paper --compare push=persistent,single-frame --at 0,0.5 "
         "--camera fit --overlay velocities:10,trails");
     REQUIRE(compared.size() == 2);
