@@ -31,17 +31,15 @@ Rules understand_rules(const Check& request) {
         const auto limits = parse_limits(*request.tolerance);
         if (!limits) {
             throw UsageError(
-                fmt::format("--tolerance {}: must be LEVELS or LEVELS:SHARE% (0 to 255, 0 to 100), or "
-                            "a comma-separated list: 2:0.05%,16:0.005%",
-                            *request.tolerance));
+                "--tolerance {}: must be LEVELS or LEVELS:SHARE% (0 to 255, 0 to 100), or "
+                "a comma-separated list: 2:0.05%,16:0.005%",
+                *request.tolerance);
         }
         rules.tolerance = Tolerance{.limits = *limits};
     }
     if (request.flip) {
         const auto most = parse_number(*request.flip);
-        if (!most || *most < 0.0 || *most > 1.0) {
-            throw UsageError(fmt::format("--flip {}: must be from 0 to 1", *request.flip));
-        }
+        if (!most || *most < 0.0 || *most > 1.0) throw UsageError("--flip {}: must be from 0 to 1", *request.flip);
         rules.tolerance = Tolerance{.limits = {}, .flip = *most};
     }
     const std::string physics = request.physics.value_or("hash");
@@ -49,9 +47,7 @@ Rules understand_rules(const Check& request) {
         rules.physics = false;
     } else if (physics != "hash") {
         const auto most = parse_number(physics);
-        if (!most || *most < 0.0) {
-            throw UsageError(fmt::format("--physics {}: must be hash, off, or metres from 0", physics));
-        }
+        if (!most || *most < 0.0) throw UsageError("--physics {}: must be hash, off, or metres from 0", physics);
         rules.trajectory = *most;
     }
     return rules;
@@ -284,7 +280,7 @@ AnyCommand read_check(Words& words) {
     command.flip = words.take("flip");
     if (command.folders.empty()) throw UsageError("check: a folder of expected pictures is missing");
     if (command.against && command.folders.size() != 1) {
-        throw UsageError(fmt::format("--against {}: must be with one folder", *command.against));
+        throw UsageError("--against {}: must be with one folder", *command.against);
     }
     const bool renders = !command.against;
     const char* const must = "without --against, which renders nothing";

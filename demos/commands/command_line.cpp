@@ -77,12 +77,11 @@ bool asks_for_help(const std::string& word) {
 const Entry& find_entry(const std::vector<Entry>& entries, const std::string& word) {
     const std::vector<std::string> names = names_of(entries);
     if (word.starts_with('-')) {
-        throw UsageError(fmt::format("{}: must come after the command, one of {}", word, fmt::join(names, ", ")));
+        throw UsageError("{}: must come after the command, one of {}", word, fmt::join(names, ", "));
     }
     const auto found = std::ranges::find(entries, word, &Entry::name);
     if (found != entries.end()) return *found;
-    throw UsageError(
-        fmt::format("{}: no such command; there are {}{}", word, fmt::join(names, ", "), suggestion(word, names)));
+    throw UsageError("{}: no such command; there are {}{}", word, fmt::join(names, ", "), suggestion(word, names));
 }
 
 }  // namespace
@@ -142,8 +141,7 @@ std::string reference_text() {
 std::optional<CommandLine> parse_command_line(const std::vector<std::string>& words) {
     const std::vector<Entry> entries = command_entries();
     if (words.empty()) {
-        throw UsageError(
-            fmt::format("a command is missing: one of {} (see --help)", fmt::join(names_of(entries), ", ")));
+        throw UsageError("a command is missing: one of {} (see --help)", fmt::join(names_of(entries), ", "));
     }
     if (asks_for_help(words.front())) {
         print(help_of_program(entries));

@@ -105,7 +105,7 @@ std::vector<Option> doctor_options() {
 AnyCommand read_doctor(Words& words) {
     Doctor command{.out = words.take("out"), .json = words.take_flag("json")};
     if (command.out && !command.out->ends_with(".png")) {
-        throw UsageError(fmt::format("--out {}: must end in .png", *command.out));
+        throw UsageError("--out {}: must end in .png", *command.out);
     }
     return command;
 }

@@ -51,8 +51,8 @@ const Parameter& range_of(const Kind& family, const std::string& name, const Giv
         if (parameter.range.name == name) return parameter.range;
         own.push_back("--" + std::string(parameter.range.name));
     }
-    throw UsageError(fmt::format("{} {}: family {} has no such parameter; it has {}", given.field, given.text,
-                                 family.name, fmt::join(own, ", ")));
+    throw UsageError("{} {}: family {} has no such parameter; it has {}", given.field, given.text, family.name,
+                     fmt::join(own, ", "));
 }
 
 // Throws UsageError, also for a value that is not allowed.
@@ -63,7 +63,7 @@ families::Choice choice_of(const Family& command) {
         const Parameter& range = range_of(family, name, given);
         ParameterValues values{std::span<const Parameter>()};
         if (!values.set(range, given.text)) {
-            throw UsageError(fmt::format("{} {}: must be {}", given.field, given.text, range.allowed()));
+            throw UsageError("{} {}: must be {}", given.field, given.text, range.allowed());
         }
         if (&range == &seed_range) {
             choice.seed = values.whole(name);
@@ -87,9 +87,7 @@ std::vector<Option> family_options() {
 
 AnyCommand read_family(Words& words) {
     const std::vector<std::string> names = words.take_names();
-    if (names.size() > 1) {
-        throw UsageError(fmt::format("family {}: must be one family at a time", fmt::join(names, " ")));
-    }
+    if (names.size() > 1) throw UsageError("family {}: must be one family at a time", fmt::join(names, " "));
     Family command;
     if (names.empty()) return command;
     command.name = names.front();

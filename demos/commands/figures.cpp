@@ -30,8 +30,7 @@ std::vector<figures::Figure> wanted(const std::vector<std::string>& named) {
 
 int pixels_of(const std::string& option, double pixels) {
     const double whole = std::round(pixels);
-    if (whole < 400.0 || whole > 4096.0)
-        throw UsageError(fmt::format("{}: {:.6g} pixels, must be 400 to 4096", option, whole));
+    if (whole < 400.0 || whole > 4096.0) throw UsageError("{}: {:.6g} pixels, must be 400 to 4096", option, whole);
     return static_cast<int>(whole);
 }
 
@@ -54,8 +53,7 @@ FigureFormat format_of(const Figures& command) {
     if (command.letters) {
         print.letters_pt = parse_length_mm(*command.letters).value_or(0.0) / 25.4 * 72.0;
         if (!(print.letters_pt >= 4.0 && print.letters_pt <= 24.0)) {
-            throw UsageError(
-                fmt::format("--font-size {}: must be a length of 4pt to 24pt, say 8pt", *command.letters));
+            throw UsageError("--font-size {}: must be a length of 4pt to 24pt, say 8pt", *command.letters);
         }
     }
     format.width = pixels_of(fmt::format("{} at {} dpi", option, print.dpi), print.inches() * print.dpi);

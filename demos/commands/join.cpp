@@ -24,19 +24,17 @@ Sequence film_of(const std::vector<std::string>& folders, std::string& mark) {
     for (const std::string& folder : folders) {
         const fs::path config = fs::path(folder) / "config.json";
         if (!fs::exists(config)) {
-            throw UsageError(fmt::format("--join {}: must have a config.json, as `render` writes it", folder));
+            throw UsageError("--join {}: must have a config.json, as `render` writes it", folder);
         }
         if (read_bytes_of(config) != read_bytes_of(first)) {
-            throw UsageError(
-                fmt::format("--join: must be of one film: {} differs from {}", config.string(), first.string()));
+            throw UsageError("--join: must be of one film: {} differs from {}", config.string(), first.string());
         }
     }
     GivenOptions given;
     add_config(first, given);
     const auto* const scene = given.find("scene");
-    if (!scene) throw UsageError(fmt::format("{}: scene: must be given", first.string()));
-    if (given.find("at"))
-        throw UsageError(fmt::format("--join {}: must be a sequence, not stills", folders.front()));
+    if (!scene) throw UsageError("{}: scene: must be given", first.string());
+    if (given.find("at")) throw UsageError("--join {}: must be a sequence, not stills", folders.front());
     Sequence film = plan_sequence(scene->text, given);
     mark = film_mark(film.panels.front().choices, given);
     return film;
@@ -59,8 +57,8 @@ std::vector<fs::path> files_of(const Sequence& film, const std::vector<std::stri
     constexpr std::size_t most = 10;
     const std::size_t all = missing.size();
     missing.resize(std::min(all, most));
-    throw RunError(fmt::format("--join: {} of {} frames are missing: {}{}", all, film.frame_count(),
-                               fmt::join(missing, ", "), all > most ? ", ..." : ""));
+    throw RunError("--join: {} of {} frames are missing: {}{}", all, film.frame_count(), fmt::join(missing, ", "),
+                   all > most ? ", ..." : "");
 }
 
 renderer::Image picture_in(const fs::path& file, const std::string& mark) {
@@ -70,11 +68,11 @@ renderer::Image picture_in(const fs::path& file, const std::string& mark) {
         renderer::Image image = renderer::decode_png(png);
         if (renderer::film_in_png(png) == mark) return image;
         throw UsageError(
-            fmt::format("--join: must be of one film: {} is of another than config.json, or was not drawn by this "
-                        "program; draw it again",
-                        file.string()));
+            "--join: must be of one film: {} is of another than config.json, or was not drawn by this "
+            "program; draw it again",
+            file.string());
     } catch (const renderer::RendererError& error) {
-        throw RunError(fmt::format("{}: {}", file.string(), error.what()));
+        throw RunError("{}: {}", file.string(), error.what());
     }
 }
 
@@ -92,8 +90,8 @@ void carry_out(const Join& command) {
         stop_if_interrupted(fmt::format("{} of {} frames were read", i, files.size()));
         const renderer::Image image = picture_in(files[i], mark);
         if (image.width != frames.width || image.height != frames.height) {
-            throw RunError(fmt::format("{}: must be {}x{} pixels, not {}x{}", files[i].string(), frames.width,
-                                       frames.height, image.width, image.height));
+            throw RunError("{}: must be {}x{} pixels, not {}x{}", files[i].string(), frames.width, frames.height,
+                           image.width, image.height);
         }
         video.add(image);
         bar.show(static_cast<long>(i + 1));

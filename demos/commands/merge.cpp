@@ -7,7 +7,6 @@
 #include "demos/text/shard.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <map>
@@ -26,22 +25,21 @@ void require_one_version(const std::vector<fs::path>& folders) {
     for (const fs::path& folder : folders) {
         const std::set<std::string> here = PieceStore::versions_in(folder);
         if (here.empty()) {
-            throw UsageError(
-                fmt::format("merge {}: must have pieces, as `report NAME --shard K/N --out {}` makes them",
-                            folder.string(), folder.string()));
+            throw UsageError("merge {}: must have pieces, as `report NAME --shard K/N --out {}` makes them",
+                             folder.string(), folder.string());
         }
         for (const std::string& version : here) versions.emplace(version, folder / "pieces" / version);
     }
     if (versions.size() > 1) {
         const auto& [first, in_first] = *versions.begin();
         const auto& [last, in_last] = *versions.rbegin();
-        throw UsageError(fmt::format("merge: pieces must be of one version, not of {} ({}) and {} ({})", first,
-                                     in_first.string(), last, in_last.string()));
+        throw UsageError("merge: pieces must be of one version, not of {} ({}) and {} ({})", first,
+                         in_first.string(), last, in_last.string());
     }
     const auto& [version, place] = *versions.begin();
     if (version == PieceStore::version_folder()) return;
-    throw UsageError(fmt::format("merge {}: must be of the version of this program, {}", place.string(),
-                                 PieceStore::version_folder()));
+    throw UsageError("merge {}: must be of the version of this program, {}", place.string(),
+                     PieceStore::version_folder());
 }
 
 ReportNote read_note(const fs::path& folder) {
@@ -52,8 +50,8 @@ ReportNote read_note(const fs::path& folder) {
                        std::ranges::all_of(json["words"], [](const Json& word) { return word.is_string(); }) &&
                        json.contains("shards") && json["shards"].is_number_integer() && json["shards"] > 0;
     if (!sound) {
-        throw UsageError(fmt::format("merge {}: must have the report.json that `report` leaves with its pieces",
-                                     folder.string()));
+        throw UsageError("merge {}: must have the report.json that `report` leaves with its pieces",
+                         folder.string());
     }
     return {json["words"].get<std::vector<std::string>>(), json["shards"].get<int>()};
 }
@@ -64,9 +62,8 @@ ReportNote note_of(const std::vector<fs::path>& folders) {
     for (const fs::path& folder : folders) {
         ReportNote note = read_note(folder);
         if (!common.words.empty() && note.words != common.words) {
-            throw UsageError(fmt::format("merge: must be of one report, not `{}` ({}) and `{}` ({})",
-                                         command_of(common.words), folders.front().string(), command_of(note.words),
-                                         folder.string()));
+            throw UsageError("merge: must be of one report, not `{}` ({}) and `{}` ({})", command_of(common.words),
+                             folders.front().string(), command_of(note.words), folder.string());
         }
         note.shards = std::max(note.shards, common.shards);
         common = std::move(note);
@@ -87,9 +84,7 @@ void print_missing(const ReportNote& note, const fs::path& folder, const std::ve
     print("made by:\n");
     for (const auto& [number, missing] : shards) {
         std::vector<std::string> words = note.words;
-        if (note.shards > 1) {
-            words.insert(words.end(), {"--shard", to_text(Shard{number, note.shards})});
-        }
+        if (note.shards > 1) words.insert(words.end(), {"--shard", to_text(Shard{number, note.shards})});
         words.insert(words.end(), {"--out", folder.string()});
         print(fmt::format("{}    # {}\n", command_of(words), missing));
     }

@@ -73,8 +73,7 @@ void refuse_own_files(const Job& job, const Render& request, const std::string& 
         const bool is_own = name == "config.json" || (name == "summary.json" && file != request.summary) ||
                             (name == piped_scene && is_piped(scene)) || job.sequence.frames.front().has(name);
         if (is_own && is_file_of(job.folder, file)) {
-            throw UsageError(
-                fmt::format("{}: must have another name: render writes a file of this name there", file));
+            throw UsageError("{}: must have another name: render writes a file of this name there", file);
         }
     }
 }
@@ -116,8 +115,8 @@ void prepare_folder(const Job& job, const Render& request) {
             continue;
         }
         if (write_first(path, text)) continue;
-        throw UsageError(fmt::format("--shard {}: {} is of another film; remove the folder, or take another --out",
-                                     to_text(*request.shard), file.string()));
+        throw UsageError("--shard {}: {} is of another film; remove the folder, or take another --out",
+                         to_text(*request.shard), file.string());
     }
 }
 
@@ -300,8 +299,7 @@ void carry_out(const Render& request) {
         refuse_own_files(jobs.back(), request, scene);
         for (std::size_t i = 0; i + 1 < jobs.size(); ++i) {
             if (jobs[i].folder != jobs.back().folder) continue;
-            throw UsageError(
-                fmt::format("scene {}: must not share its folder {}", scene, jobs.back().folder.string()));
+            throw UsageError("scene {}: must not share its folder {}", scene, jobs.back().folder.string());
         }
     }
     std::vector<ComparedRun> runs;

@@ -59,7 +59,7 @@ std::string folder_of(const Report& request) {
 reports::Study find_study(const std::string& name) {
     const std::vector<reports::Study> all = reports::all_studies();
     const std::vector<std::string> names = names_of(all);
-    if (name.empty()) throw UsageError(fmt::format("a report is missing: one of {}", fmt::join(names, ", ")));
+    if (name.empty()) throw UsageError("a report is missing: one of {}", fmt::join(names, ", "));
     require_known("report", name, names);
     return *std::ranges::find(all, name, &reports::Study::name);
 }
@@ -136,9 +136,7 @@ std::vector<std::string> take_list(Words& words, const char* option, bool has_ef
 AnyCommand read_any_report(Words& words) {
     const std::vector<std::string> names = words.take_names();
     if (!names.empty() && names.front() == "merge") return read_merge(words);
-    if (names.size() > 1) {
-        throw UsageError(fmt::format("report {}: must be one report at a time", fmt::join(names, " ")));
-    }
+    if (names.size() > 1) throw UsageError("report {}: must be one report at a time", fmt::join(names, " "));
     return read_report(words, names.empty() ? "" : names.front());
 }
 
@@ -149,41 +147,38 @@ Report read_report(Words& words, const std::string& name) {
     Report command;
     command.name = name;
     command.out = words.take("out");
-    const auto take = [&words](const char* option, bool has_effect, const std::string& must) {
-        return words.take(option, has_effect, must);
-    };
     for (const char* const option : {"shard", "jobs"}) {
-        take(option, study.pieces != nullptr, "with report error, stability or atlas");
+        words.take(option, study.pieces != nullptr, "with report error, stability or atlas");
     }
     command.shard = words.take_shard("shard");
     command.jobs = words.take_whole("jobs", 1, 1024);
     const bool page = !command.shard;
-    command.grid = take("grid", name == "atlas", "with report atlas");
+    command.grid = words.take("grid", name == "atlas", "with report atlas");
     for (const auto& [option, value] :
          {std::pair{"x", &command.x}, std::pair{"y", &command.y}, std::pair{"measure", &command.measure}}) {
-        *value = take(option, command.grid.has_value(), "with --grid SCENE");
+        *value = words.take(option, command.grid.has_value(), "with --grid SCENE");
     }
-    if (take("set", command.grid.has_value(), "with --grid SCENE")) command.set = words.take_all("set");
+    if (words.take("set", command.grid.has_value(), "with --grid SCENE")) command.set = words.take_all("set");
     command.replays = take_list(words, "replays", command.grid.has_value(), "with --grid SCENE");
     if (command.grid && (!command.x || !command.y)) {
-        throw UsageError(
-            fmt::format("--grid {}: must be with --x OPTION=VALUES and --y OPTION=VALUES", *command.grid));
+        throw UsageError("--grid {}: must be with --x OPTION=VALUES and --y OPTION=VALUES", *command.grid);
     }
-    command.quick = take("quick", !command.grid, "without --grid, which says all values").has_value();
+    command.quick = words.take("quick", !command.grid, "without --grid, which says all values").has_value();
     command.parts = take_list(words, "only", !command.grid, "without --grid, which is one map");
     for (const std::string& part : command.parts) require_known("--only", part, study.parts);
-    const bool frozen = name == "error" && (command.parts.empty() ||
-                                            std::ranges::find(command.parts, "frozen") != command.parts.end());
-    const bool tosses = name == "reality" && (command.parts.empty() ||
-                                              std::ranges::find(command.parts, "tosses") != command.parts.end());
+    const auto makes = [&](const char* report, const char* part) {
+        const auto& parts = command.parts;
+        return name == report && (parts.empty() || std::ranges::find(parts, part) != parts.end());
+    };
+    const bool frozen = makes("error", "frozen"), tosses = makes("reality", "tosses");
     command.beside =
-        take("beside", name == "error" || tosses, "with report error, or the tosses of report reality");
-    take("export", page, "without --shard");
-    command.exported = take("export", frozen, "with report error, the only one that has frozen problems");
+        words.take("beside", name == "error" || tosses, "with report error, or the tosses of report reality");
+    words.take("export", page, "without --shard");
+    command.exported = words.take("export", frozen, "with report error, the only one that has frozen problems");
     for (const auto& [option, value] :
          {std::pair{"junit", &command.junit}, std::pair{"markdown", &command.markdown}}) {
-        take(option, study.judges, "with report stability, which judges");
-        *value = take(option, page, "with report merge, not with --shard");
+        words.take(option, study.judges, "with report stability, which judges");
+        *value = words.take(option, page, "with report merge, not with --shard");
     }
     require_own_endings(folder_of(command), command.junit, command.markdown);
     words.refuse_rest("report " + name);

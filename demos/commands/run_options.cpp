@@ -141,10 +141,10 @@ void require_shown_overlays(const Words& words, const Shown& outputs) {
     for (const OverlayItem& item : *overlay) {
         const bool glb = outputs.glb && !colours_bodies(item.kind) && item.kind != OverlayKind::trails;
         if (glb || (outputs.replay && is_in_replays(item.kind))) continue;
-        throw UsageError(fmt::format("--overlay {}: must be of pictures; {} does not show it", name_of(item.kind),
-                                     outputs.glb      ? "a glTF file"
-                                     : outputs.replay ? "a replay"
-                                                      : "a replay with --replay-data poses"));
+        throw UsageError("--overlay {}: must be of pictures; {} does not show it", name_of(item.kind),
+                         outputs.glb      ? "a glTF file"
+                         : outputs.replay ? "a replay"
+                                          : "a replay with --replay-data poses");
     }
 }
 
@@ -180,7 +180,7 @@ std::string scene_parameters_help() {
 
 const std::string& only_scene(const std::vector<std::string>& scenes) {
     if (scenes.size() == 1) return scenes.front();
-    throw UsageError(fmt::format("scene {}: must be one scene at a time", fmt::join(scenes, " ")));
+    throw UsageError("scene {}: must be one scene at a time", fmt::join(scenes, " "));
 }
 
 }  // namespace pushfactor::demos::commands

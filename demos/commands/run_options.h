@@ -6,7 +6,6 @@
 #include "demos/runs/recorder.h"
 #include "demos/runs/session.h"
 
-#include <optional>
 #include <string>
 #include <vector>
 

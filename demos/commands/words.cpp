@@ -101,14 +101,11 @@ Words::Words(std::string command, std::vector<Option> known, std::vector<std::st
             if (equals != std::string::npos) throw UsageError(word + ": must be without a value");
         } else if (equals != std::string::npos) {
             value = word.substr(equals + 1);
-        } else {
-            if (i + 1 == arguments.size() || arguments[i + 1].starts_with("--")) {
-                throw UsageError(fmt::format("--{}: must have a value, {}", name, found->placeholder));
-            }
+        } else if (i + 1 < arguments.size() && !arguments[i + 1].starts_with("--")) {
             value = arguments[++i];
         }
         if (value.empty() && found->kind != OptionKind::flag) {
-            throw UsageError(fmt::format("--{}: must have a value, {}", name, found->placeholder));
+            throw UsageError("--{}: must have a value, {}", name, found->placeholder);
         }
         std::vector<std::string>& texts = given_[name];
         if (!texts.empty() && found->kind != OptionKind::list) {
@@ -172,16 +169,14 @@ std::optional<std::string> Words::take(std::string_view option) {
 }
 
 std::optional<std::string> Words::take(std::string_view option, bool has_effect, std::string_view must) {
-    if (!has_effect && given(option)) {
-        throw UsageError(fmt::format("{}: must be {}", field(std::string(option)), must));
-    }
+    if (!has_effect && given(option)) throw UsageError("{}: must be {}", field(std::string(option)), must);
     return take(option);
 }
 
 std::optional<std::string> Words::take_word(std::string_view option, const std::vector<std::string>& words) {
     auto text = take(option);
     if (text && std::ranges::find(words, *text) == words.end()) {
-        throw UsageError(fmt::format("--{} {}: must be {}", option, *text, fmt::join(words, " or ")));
+        throw UsageError("--{} {}: must be {}", option, *text, fmt::join(words, " or "));
     }
     return text;
 }
@@ -191,14 +186,14 @@ std::optional<int> Words::take_whole(std::string_view option, int low, int high)
     if (!text) return std::nullopt;
     const auto number = parse_integer(*text);
     if (number && *number >= low && *number <= high) return number;
-    throw UsageError(fmt::format("--{} {}: must be a whole number from {} to {}", option, *text, low, high));
+    throw UsageError("--{} {}: must be a whole number from {} to {}", option, *text, low, high);
 }
 
 std::optional<Shard> Words::take_shard(std::string_view option) {
     const auto text = take(option);
     if (!text) return std::nullopt;
     if (const auto shard = parse_shard(*text)) return shard;
-    throw UsageError(fmt::format("--{} {}: must be K/N with 1 <= K <= N <= 1000000", option, *text));
+    throw UsageError("--{} {}: must be K/N with 1 <= K <= N <= 1000000", option, *text);
 }
 
 std::vector<std::string> Words::take_names() {
@@ -208,23 +203,18 @@ std::vector<std::string> Words::take_names() {
 
 void Words::refuse_rest(std::string_view command) const {
     for (const auto& [option, texts] : given_) {
-        if (!taken_.contains(option)) {
-            throw UsageError(fmt::format("{}: must not be with {}", field(option), command));
-        }
+        if (!taken_.contains(option)) throw UsageError("{}: must not be with {}", field(option), command);
     }
-    if (!names_taken_ && !names_.empty()) {
-        throw UsageError(fmt::format("{}: must not be with {}", names_.front(), command));
-    }
+    if (!names_taken_ && !names_.empty()) throw UsageError("{}: must not be with {}", names_.front(), command);
     for (std::size_t i = 0; i < writes_.size(); ++i) {
         for (std::size_t k = 0; k < i; ++k) {
             if (are_one_file(writes_[i].name, writes_[k].name)) {
-                throw UsageError(fmt::format("{}: must not be the file of {}", writes_[i].field, writes_[k].field));
+                throw UsageError("{}: must not be the file of {}", writes_[i].field, writes_[k].field);
             }
         }
         for (const NamedFile& input : reads_) {
             if (input.name != "-" && are_one_file(writes_[i].name, input.name)) {
-                throw UsageError(
-                    fmt::format("{}: must not be a file that is read, {}", writes_[i].field, input.field));
+                throw UsageError("{}: must not be a file that is read, {}", writes_[i].field, input.field);
             }
         }
     }
@@ -236,8 +226,8 @@ void require_own_endings(const std::string& folder, const std::optional<std::str
          {std::tuple{"junit", &junit, ".xml"}, std::tuple{"markdown", &markdown, ".md"}}) {
         if (!*file || is_stream(**file) || !is_below(folder, **file)) continue;
         if (followed(**file).extension() == ending) continue;
-        throw UsageError(fmt::format("--{} {}: must end in {} within {}, where other files may have this name",
-                                     option, **file, ending, folder));
+        throw UsageError("--{} {}: must end in {} within {}, where other files may have this name", option, **file,
+                         ending, folder);
     }
 }
 

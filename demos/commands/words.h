@@ -58,9 +58,8 @@ class Words {
 
     // The words that are no options: scenes, figures, folders.
     std::vector<std::string> take_names();
-    // A file that is read or written without an option for it.
+    // A file that is read without an option for it.
     void reads(const std::string& file) { reads_.push_back({file, file}); }
-    void writes(const std::string& file) { writes_.push_back({file, file}); }
 
     // Throws UsageError for what was not taken, and for a file that is written twice, or read and written.
     // `command` says in which combination: "render --join".

@@ -19,7 +19,7 @@ namespace pushfactor::demos {
 namespace {
 
 [[noreturn]] void refuse(const GivenOptions::Given& given, std::string_view allowed) {
-    throw UsageError(fmt::format("{} {}: must be {}", given.field, given.text, allowed));
+    throw UsageError("{} {}: must be {}", given.field, given.text, allowed);
 }
 
 Settings understand_settings(const GivenOptions& given) {
@@ -36,34 +36,20 @@ Settings understand_settings(const GivenOptions& given) {
     return settings;
 }
 
-bool reads_file(std::string_view name) {
-    return std::ranges::any_of(simulation_options(), [name](const SimulationOption& option) {
-        return option.name == name && option.reads_file;
-    });
-}
-
-bool is_parameter_of(const SceneEntry& scene, std::string_view name) {
-    return std::any_of(scene.parameters.begin(), scene.parameters.end(),
-                       [name](const Parameter& parameter) { return parameter.name == name; });
-}
-
-std::string parameters_of(const SceneEntry* scene) {
-    std::string names;
-    if (!scene) return "none";
-    for (const Parameter& parameter : scene->parameters) {
-        names += (names.empty() ? "--" : ", --") + std::string(parameter.name);
-    }
-    return names;
+// "--count, --seed"
+std::string list_of(const std::vector<std::string>& parameters) {
+    return parameters.empty() ? "none" : fmt::format("--{}", fmt::join(parameters, ", --"));
 }
 
 // Parameters belong to the scenes of the catalogue; `own` is null for a scene file.
 void refuse_foreign_parameters(const std::string& scene, const SceneEntry* own, const GivenOptions& given) {
+    const std::vector<std::string> known = own ? names_of(own->parameters) : std::vector<std::string>();
     for (const SceneEntry& other : catalogue()) {
         for (const Parameter& parameter : other.parameters) {
             const auto* chosen = given.find(parameter.name);
-            if (!chosen || (own && is_parameter_of(*own, parameter.name))) continue;
-            throw UsageError(fmt::format("{} {}: scene {} has no such parameter; it has {}", chosen->field,
-                                         chosen->text, scene, parameters_of(own)));
+            if (!chosen || std::ranges::find(known, parameter.name) != known.end()) continue;
+            throw UsageError("{} {}: scene {} has no such parameter; it has {}", chosen->field, chosen->text, scene,
+                             list_of(known));
         }
     }
 }
@@ -87,8 +73,8 @@ bool is_there(const std::filesystem::path& file) {
 void require_scene(const std::string& name) {
     if (find_scene(name) || name == "-" || name.ends_with(".json") || is_there(name)) return;
     const std::vector<std::string> names = names_of(catalogue());
-    throw UsageError(fmt::format("scene {}: must be one of {}, or a scene file (.json){}", name,
-                                 fmt::join(names, ", "), suggestion(name, names)));
+    throw UsageError("scene {}: must be one of {}, or a scene file (.json){}", name, fmt::join(names, ", "),
+                     suggestion(name, names));
 }
 
 // Fills in scene, description and parameters.
@@ -172,7 +158,7 @@ const GivenOptions::Given* GivenOptions::find(std::string_view name) const {
 void add_config(const std::filesystem::path& file, GivenOptions& given) {
     const Json config = read_json_file(file, "--config " + file.string());
     if (!config.is_object()) {
-        throw UsageError(fmt::format("--config {}: must be an object of option names and values", file.string()));
+        throw UsageError("--config {}: must be an object of option names and values", file.string());
     }
     const std::vector<std::string> known = known_in_config();
     const GivenOptions above = given;
@@ -184,8 +170,7 @@ void add_config(const std::filesystem::path& file, GivenOptions& given) {
         if (std::find(known.begin(), known.end(), name) == known.end()) {
             throw UsageError(field + ": unknown option" + suggestion(name, known));
         }
-        if (!is_text)
-            throw UsageError(fmt::format("{} {}: must be a string or a number", field, json_text(value, -1)));
+        if (!is_text) throw UsageError("{} {}: must be a string or a number", field, json_text(value, -1));
         const std::string text = name == "scene" ? found_scene(file, text_of(value)) : text_of(value);
         if (!above.preset_decides(name)) given.add(name, text, field);
     }
@@ -210,7 +195,10 @@ Choices understand(const std::string& scene, GivenOptions given) {
         // A resumed run has already been started: no preset changes its start kick.
         const bool is_over = choices.description.state && name == "start-kick";
         if (above.preset_decides(name) && !is_over) continue;
-        const bool beside = reads_file(name) && !find_scene(scene);
+        const bool is_file = std::ranges::any_of(simulation_options(), [&](const SimulationOption& option) {
+            return option.name == name && option.reads_file;
+        });
+        const bool beside = is_file && !find_scene(scene);
         given.add(name, beside ? (std::filesystem::path(scene).parent_path() / text).string() : text, field);
     }
     choices.settings = understand_settings(given);

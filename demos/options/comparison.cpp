@@ -32,10 +32,6 @@ bool has_rows(const Choices& c) {
     return c.description.contacts || has_joints(c);
 }
 
-bool has_contacts(const Choices& c) {
-    return c.description.contacts;
-}
-
 bool is_whole(const Choices& c) {
     return !is_rattle(c.settings.scheme);
 }
@@ -66,7 +62,7 @@ const std::array conditions{
               "without contacts, bars and joints"},
     Condition{{"push", "beta", "max-push-speed", "slop", "margin", "row-order", "manifold-points", "friction",
                "friction-model", "restitution", "restitution-model"},
-              has_contacts,
+              [](const Choices& c) { return c.description.contacts; },
               "without contacts"},
     Condition{{"distance-push", "distance-beta"}, has_joints, "without bars and joints"},
     Condition{{"distance-push", "distance-beta", "rest"}, is_whole, "in RATTLE steps"},
@@ -125,13 +121,13 @@ std::vector<ComparedRun> compared_runs(const std::string& scene, const GivenOpti
     const std::vector<std::string> names = comparable(common);
     if (std::find(names.begin(), names.end(), comparison->option) == names.end()) {
         const auto* chosen = given.find("compare");
-        throw UsageError(fmt::format("{} {}: cannot compare {}; it {}", chosen->field, chosen->text,
-                                     comparison->option, one_of(comparison->option, names)));
+        throw UsageError("{} {}: cannot compare {}; it {}", chosen->field, chosen->text, comparison->option,
+                         one_of(comparison->option, names));
     }
     const auto* const single = given.find(comparison->option);
     if (single && single->is_typed()) {
-        throw UsageError(fmt::format("{} {}: must be without --compare {}, which sets it in each panel",
-                                     single->field, single->text, comparison->option));
+        throw UsageError("{} {}: must be without --compare {}, which sets it in each panel", single->field,
+                         single->text, comparison->option);
     }
     std::vector<ComparedRun> panels;
     for (const std::string& value : comparison->values) {

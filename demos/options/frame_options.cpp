@@ -175,9 +175,9 @@ long step_of(std::string_view option, const Rational& time, const Rational& dt) 
     const Rational step = time / dt;
     if (!step.is_whole()) {
         const long below = static_cast<long>(std::floor(step.value()));
-        throw UsageError(fmt::format("{} {}: must be a whole number of steps of {} s; the nearest are {} and {}",
-                                     option, to_text(time), to_text(dt), to_text(dt * Rational{below, 1}),
-                                     to_text(dt * Rational{below + 1, 1})));
+        throw UsageError("{} {}: must be a whole number of steps of {} s; the nearest are {} and {}", option,
+                         to_text(time), to_text(dt), to_text(dt * Rational{below, 1}),
+                         to_text(dt * Rational{below + 1, 1}));
     }
     return static_cast<long>(step.numerator);
 }
@@ -217,9 +217,8 @@ long steps_a_frame(const Rational& fps, const Rational& dt, const Rational& play
     if (!steps.is_whole()) {
         const std::string at_speed =
             play_speed == Rational{1, 1} ? "" : fmt::format(" at --play-speed {}", to_text(play_speed));
-        throw UsageError(
-            fmt::format("--fps {}{}: a frame must be a whole number of steps of {} s; rates that fit are {}",
-                        to_text(fps), at_speed, to_text(dt), rates_that_fit(fps, dt, play_speed)));
+        throw UsageError("--fps {}{}: a frame must be a whole number of steps of {} s; rates that fit are {}",
+                         to_text(fps), at_speed, to_text(dt), rates_that_fit(fps, dt, play_speed));
     }
     return static_cast<long>(steps.numerator);
 }
@@ -247,8 +246,8 @@ Frames plan_frames(const FrameChoices& choices, const Rational& dt, long steps) 
     for (const Rational& time : choices.at) {
         const long step = step_of("--at", time, dt);
         if (step > steps) {
-            throw UsageError(fmt::format("--at {}: must be within the {} s of the run", to_text(time),
-                                         to_text(dt * Rational{steps, 1})));
+            throw UsageError("--at {}: must be within the {} s of the run", to_text(time),
+                             to_text(dt * Rational{steps, 1}));
         }
         std::string name = to_text(time);
         std::replace(name.begin(), name.end(), '/', '_');

@@ -66,11 +66,10 @@ bool set_small_steps(Settings& s, std::string_view text) {
 }
 
 bool set_solver(Settings& s, std::string_view text) {
-    const auto& table = engine::solvers::solver_table();
-    const bool known =
-        std::any_of(table.begin(), table.end(), [text](const auto& entry) { return entry.name == text; });
-    if (known) s.solver = text;
-    return known;
+    const std::vector<std::string> known = names_of(engine::solvers::solver_table());
+    if (std::ranges::find(known, text) == known.end()) return false;
+    s.solver = text;
+    return true;
 }
 
 bool set_max_push_speed(Settings& s, std::string_view text) {
@@ -274,17 +273,14 @@ const std::array simulation_table{
 }  // namespace
 
 std::string scheme_name(const Settings& settings) {
-    return std::find_if(simulation_table.begin(), simulation_table.end(),
-                        [](const auto& option) { return option.name == "scheme"; })
-        ->get(settings);
+    return std::ranges::find(simulation_table, "scheme", &SimulationOption::name)->get(settings);
 }
 
 bool is_of_preset(std::string_view option) {
     for (const char* const of_run : {"seconds", "dt", "friction", "restitution", "threads", "measured"}) {
         if (option == of_run) return false;
     }
-    return std::any_of(simulation_table.begin(), simulation_table.end(),
-                       [&](const auto& known) { return known.name == option; });
+    return std::ranges::find(simulation_table, option, &SimulationOption::name) != simulation_table.end();
 }
 
 std::span<const SimulationOption> simulation_options() {

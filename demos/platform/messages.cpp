@@ -1,20 +1,15 @@
 #include "demos/platform/messages.h"
 
+#include "demos/platform/output_file.h"
+
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <cerrno>
-
 namespace pushfactor::demos {
 
 void say(std::string_view text) {
-    while (!text.empty()) {
-        const ssize_t written = ::write(STDERR_FILENO, text.data(), text.size());
-        if (written < 0 && errno == EINTR) continue;
-        if (written <= 0) return;
-        text.remove_prefix(static_cast<std::size_t>(written));
-    }
+    write_all(STDERR_FILENO, text);
 }
 
 void note(std::string_view text) {

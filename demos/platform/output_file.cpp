@@ -34,6 +34,8 @@ bool follow_link(fs::path& path) {
     return true;
 }
 
+}  // namespace
+
 bool write_all(int descriptor, std::string_view bytes) {
     while (!bytes.empty()) {
         const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
@@ -43,8 +45,6 @@ bool write_all(int descriptor, std::string_view bytes) {
     }
     return true;
 }
-
-}  // namespace
 
 fs::path followed(fs::path path) {
     for (int i = 0; i < most_links && follow_link(path); ++i) {

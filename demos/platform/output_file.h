@@ -5,7 +5,6 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace pushfactor::demos {
 
@@ -77,6 +76,9 @@ bool is_file_of(const std::filesystem::path& folder, const std::filesystem::path
 
 // Whether a path is that of the folder or leads into it; neither need exist.
 bool is_below(const std::filesystem::path& folder, const std::filesystem::path& path);
+
+// Writes to an open file. False, with errno, for an error.
+bool write_all(int descriptor, std::string_view bytes);
 
 // Writes to standard output, at once.
 void print(std::string_view text);

@@ -8,7 +8,6 @@
 
 #include <atomic>
 #include <csignal>
-#include <cstdio>
 
 namespace pushfactor::demos {
 

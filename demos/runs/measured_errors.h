@@ -3,7 +3,6 @@
 
 #include "demos/runs/simulation.h"
 
-#include <string_view>
 #include <vector>
 
 namespace pushfactor::demos {

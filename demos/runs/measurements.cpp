@@ -53,17 +53,14 @@ double judged_speed(const BuiltScene& scene, double size) {
     return gravity > 0.0 ? std::sqrt(gravity * size) : size;
 }
 
-// Distance of its corners from the centre [m]; 0 for round shapes, which look the same when turned.
-double corner_distance(const BodyDescription& body) {
-    return std::holds_alternative<SphereShape>(body.shape) ? 0.0 : bounding_radius(body);
-}
-
-// corner_distance() of the movable bodies.
+// Of the movable bodies: distance of their corners from the centre [m]; 0 for round shapes, which look the same
+// when turned.
 std::vector<double> corners_of(const BuiltScene& scene) {
     std::vector<double> corners;
-    for (std::size_t i = 0; i < scene.world.bodies.size(); ++i) {
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
         if (scene.world.bodies[i].is_static()) continue;
-        corners.push_back(i < scene.bodies.size() ? corner_distance(scene.bodies[i]) : 0.0);
+        const bool round = std::holds_alternative<SphereShape>(scene.bodies[i].shape);
+        corners.push_back(round ? 0.0 : bounding_radius(scene.bodies[i]));
     }
     return corners;
 }
@@ -146,9 +143,8 @@ Measurements::Measurements(const Simulation& simulation, const std::vector<std::
         }
         for (const std::string& name : *wanted) {
             if (std::ranges::find(names, name) != names.end()) continue;
-            throw UsageError(
-                fmt::format("--measure {}: must be a measure of the scene: {}", name,
-                            names.empty() ? "it has none" : fmt::format("{}", fmt::join(names, ", "))));
+            throw UsageError("--measure {}: must be a measure of the scene: {}", name,
+                             names.empty() ? "it has none" : fmt::format("{}", fmt::join(names, ", ")));
         }
         makes_scene_measure_ = !wanted->empty() || !scene_measure_ || !scene_measure_->is_costly();
     }
@@ -174,23 +170,18 @@ double Measurements::lowest_place(std::size_t i) const {
     return standing_ ? std::min(start, standing_->rest_heights[i]) : start;
 }
 
-void IslandCount::add(const Sample& sample) {
-    kept += sample.count.islands_kept;
-    swept += sample.count.islands_swept;
-    exact += sample.count.islands_exact;
-    in_small_steps += sample.count.islands_in_small_steps;
-}
-
-void ImpactCount::add(const Sample& sample) {
-    all += sample.count.impacts;
-    largest = std::max(largest, sample.count.impacts);
-    short_steps += sample.count.impacts_cut_short;
-}
-
-void AtRest::add(const Sample& sample, bool all) {
-    bodies = sample.count.at_rest;
-    if (!all) since.reset();
-    if (all && !since) since = sample.time;
+void Measurements::add_counts(const Sample& sample) {
+    const engine::StepCount& count = sample.count;
+    islands_.kept += count.islands_kept;
+    islands_.swept += count.islands_swept;
+    islands_.exact += count.islands_exact;
+    islands_.in_small_steps += count.islands_in_small_steps;
+    impacts_.all += count.impacts;
+    impacts_.largest = std::max(impacts_.largest, count.impacts);
+    impacts_.short_steps += count.impacts_cut_short;
+    at_rest_.bodies = count.at_rest;
+    const bool all_rest = count.at_rest == static_cast<int>(start_.size());
+    at_rest_.since = all_rest ? at_rest_.since.value_or(sample.time) : std::optional<double>();
 }
 
 void Measurements::observe(const Simulation& simulation) {
@@ -213,9 +204,7 @@ void Measurements::observe(const Simulation& simulation) {
     if (sample.cpu_us) cpu_us_.push_back(*sample.cpu_us);
     substeps_.add(sample);
     unsolved_.add(sample);
-    islands_.add(sample);
-    impacts_.add(sample);
-    at_rest_.add(sample, sample.count.at_rest == static_cast<int>(start_.size()));
+    add_counts(sample);
 
     for_movable(simulation.scene().world.bodies, [&](const Body& body, std::size_t i) {
         max_upward_speed_ = std::max(max_upward_speed_, velocity(body).y());
@@ -316,14 +305,6 @@ double Measurements::largest_last_second(double Moment::*what) const {
     return largest;
 }
 
-double Measurements::max_speed_last_second() const {
-    return largest_last_second(&Moment::max_speed);
-}
-
-double Measurements::max_kinetic_energy_last_second() const {
-    return largest_last_second(&Moment::kinetic_energy);
-}
-
 std::vector<std::pair<std::string, std::optional<double>>> Measurements::of_scene() const {
     std::vector<std::pair<std::string, std::optional<double>>> measures;
     if (!scene_measure_) return measures;
@@ -331,14 +312,6 @@ std::vector<std::pair<std::string, std::optional<double>>> Measurements::of_scen
         measures.emplace_back(name, makes_scene_measure_ ? std::optional(value) : std::nullopt);
     }
     return measures;
-}
-
-double Measurements::median_residual() const {
-    return median(residuals_);
-}
-
-std::optional<double> Measurements::drift_after_10_s() const {
-    return at_10_s_ ? std::optional(drift_) : std::nullopt;
 }
 
 std::vector<double> Measurements::heights() const {

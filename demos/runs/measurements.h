@@ -66,8 +66,6 @@ struct UnsolvedSteps {
 // Islands by method, summed over all steps of a run.
 struct IslandCount {
     long kept = 0, swept = 0, exact = 0, in_small_steps = 0;
-
-    void add(const Sample& sample);
 };
 
 // Impacts followed within the steps of a run.
@@ -75,16 +73,12 @@ struct ImpactCount {
     long all = 0;
     int largest = 0;       // in one step
     long short_steps = 0;  // with more than are followed
-
-    void add(const Sample& sample);
 };
 
 // Sleeping bodies.
 struct AtRest {
     int bodies = 0;               // after the last step
     std::optional<double> since;  // s, since when all movable bodies have been sleeping, if they are
-
-    void add(const Sample& sample, bool all);
 };
 
 class Measurements {
@@ -96,11 +90,11 @@ class Measurements {
     void observe(const Simulation& simulation);  // after each step
 
     Outcome outcome() const;
-    double max_penetration() const { return max_penetration_; }    // m
-    double max_length_error() const { return max_length_error_; }  // m
-    double max_speed_last_second() const;                          // m/s
+    double max_penetration() const { return max_penetration_; }                               // m
+    double max_length_error() const { return max_length_error_; }                             // m
+    double max_speed_last_second() const { return largest_last_second(&Moment::max_speed); }  // m/s
     double max_upward_speed() const { return max_upward_speed_; }  // m/s, stored velocity
-    double median_residual() const;                                // m/s
+    double median_residual() const { return median(residuals_); }  // m/s
     double initial_energy() const { return initial_energy_; }      // J
     double final_energy() const { return energy_; }                // J
     double energy_gain() const { return energy_gain_; }            // J, the largest, beyond work from outside
@@ -110,11 +104,12 @@ class Measurements {
     double start_stretch() const { return start_stretch_; }  // error as a share of the length (stretch.h), largest
     double max_stretch() const { return max_stretch_; }      // the same after any step
     double max_off_axis() const { return max_off_axis_; }    // m sideways from the start
-    std::optional<double> drift_after_10_s() const;          // m, farthest from the place at 10 s
+    // m, farthest from the place at 10 s
+    std::optional<double> drift_after_10_s() const { return at_10_s_ ? std::optional(drift_) : std::nullopt; }
     std::optional<double> lean_time() const { return lean_time_; }  // s, standing scenes
     std::optional<double> fall_time() const { return fall_time_; }  // s, standing scenes
     const std::vector<double>& cpu_us() const { return cpu_us_; }   // one per step, if there is a clock
-    double max_kinetic_energy_last_second() const;                  // J
+    double max_kinetic_energy_last_second() const { return largest_last_second(&Moment::kinetic_energy); }  // J
     const SubstepCount& substeps() const { return substeps_; }
     const UnsolvedSteps& unsolved() const { return unsolved_; }
     const IslandCount& islands() const { return islands_; }
@@ -138,6 +133,7 @@ class Measurements {
     };
 
     double largest_last_second(double Moment::*what) const;
+    void add_counts(const Sample& sample);
     void remember(const Moment& moment, long step);
     Moment judge(const Simulation& simulation, double stretch) const;
     void watch_standing(double time, const Positions& positions);

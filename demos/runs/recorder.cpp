@@ -34,8 +34,8 @@ Recorder::Recorder(const Session& session, const RunFiles& files, bool timing, s
     if (files.rows) records_.push_back(rows_record(*files.rows));
     if (files.errors) {
         if (MeasuredErrors(run.scene()).empty()) {
-            throw UsageError(fmt::format(
-                "--errors {}: must be of a scene with measured motion, as --measured gives", *files.errors));
+            throw UsageError("--errors {}: must be of a scene with measured motion, as --measured gives",
+                             *files.errors);
         }
         records_.push_back(errors_record(*files.errors, run));
     }

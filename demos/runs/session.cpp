@@ -2,8 +2,6 @@
 
 #include "demos/platform/processors.h"
 
-#include <fmt/format.h>
-
 namespace pushfactor::demos {
 
 std::size_t Sequence::drawn_count() const {
@@ -24,13 +22,13 @@ Sequence plan_sequence(const std::string& scene, const GivenOptions& given) {
             sequence.frames.emplace_back(plan_frames(choices.frames, dt, whole_steps(choices.settings)));
         const std::vector<long> ghosts = plan_ghosts(choices.frames, dt);
         if (!ghosts.empty() && ghosts.back() > frames.back().step) {
-            throw UsageError(fmt::format("--ghosts {}: must not be after the last picture, which is at {} s",
-                                         to_text(dt * Rational{ghosts.back(), 1}),
-                                         to_text(dt * Rational{frames.back().step, 1})));
+            throw UsageError("--ghosts {}: must not be after the last picture, which is at {} s",
+                             to_text(dt * Rational{ghosts.back(), 1}),
+                             to_text(dt * Rational{frames.back().step, 1}));
         }
         if (sequence.frames.back().size() != sequence.frame_count()) {
-            throw UsageError(fmt::format("--compare {}: the panels must have equally many frames, not {} and {}",
-                                         panel.label, sequence.frame_count(), sequence.frames.back().size()));
+            throw UsageError("--compare {}: the panels must have equally many frames, not {} and {}", panel.label,
+                             sequence.frame_count(), sequence.frames.back().size());
         }
     }
     return sequence;

@@ -2,9 +2,6 @@
 
 #include "demos/options/choices.h"
 #include "demos/text/errors.h"
-#include "engine/bodies/diagnostics.h"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -128,7 +125,7 @@ void Simulation::divide_step() {
             parts *= finer;
         }
         step_engine(dt / parts);
-        require_finite_state();
+        if (const auto found = engine::find_non_finite(scene_.world.bodies)) fail(found->body, found->quantity);
     }
     sample_.substep_rule = division_.rule();
     sample_.too_few_substeps = division_.is_short();
@@ -196,10 +193,6 @@ Checkpoint Simulation::checkpoint() const {
     return now;
 }
 
-void Simulation::require_finite_state() const {
-    if (const auto found = engine::find_non_finite(scene_.world.bodies)) fail(found->body, found->quantity);
-}
-
 // A finite state may still overflow squares in the measured numbers.
 void Simulation::require_finite_sample() const {
     const std::array measured{std::pair{sample_.kinetic_energy, "kinetic energy"},
@@ -216,9 +209,8 @@ void Simulation::require_finite_sample() const {
 }
 
 void Simulation::fail(std::size_t body, std::string_view quantity) const {
-    throw NonFiniteError(fmt::format("{}: body {}: {} is not finite after step {} ({} s)", scene_.name,
-                                     body_name(scene_, static_cast<int>(body)), quantity, sample_.step,
-                                     sample_.time));
+    throw NonFiniteError("{}: body {}: {} is not finite after step {} ({} s)", scene_.name,
+                         body_name(scene_, static_cast<int>(body)), quantity, sample_.step, sample_.time);
 }
 
 }  // namespace pushfactor::demos

@@ -78,7 +78,6 @@ class Simulation {
     void step_engine(double dt);
     void find_worst();
     void measure_state();
-    void require_finite_state() const;
     void require_finite_sample() const;
     [[noreturn]] void fail(std::size_t body, std::string_view quantity) const;
 

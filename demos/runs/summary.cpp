@@ -37,23 +37,6 @@ Json substeps_of(const SubstepCount& count) {
             {"steps_that_asked_for_more_than_there_may_be", count.short_steps}};
 }
 
-Json islands_of(const IslandCount& count) {
-    return {{"kept", count.kept},
-            {"swept", count.swept},
-            {"exact", count.exact},
-            {"in_small_steps", count.in_small_steps}};
-}
-
-Json impacts_of(const ImpactCount& count) {
-    return {{"all", count.all},
-            {"largest_in_a_step", count.largest},
-            {"steps_with_more_than_are_followed", count.short_steps}};
-}
-
-Json at_rest_of(const AtRest& at_rest) {
-    return {{"bodies", at_rest.bodies}, {"all_since_s", number_or_null(at_rest.since)}};
-}
-
 double mean(const std::vector<double>& values) {
     return values.empty() ? 0.0
                           : std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
@@ -103,9 +86,17 @@ std::string summary_text(const Choices& choices, const Simulation& simulation, c
     summary["unsolved_steps"] = unsolved.count;
     summary["first_unsolved_step"] = unsolved.first ? Json(unsolved.first->step) : Json(nullptr);
     summary["contradicting_steps"] = unsolved.contradicting;
-    summary["islands"] = islands_of(measured.islands());
-    if (scene.world.impacts) summary["impacts"] = impacts_of(measured.impacts());
-    if (choices.settings.rest) summary["at_rest"] = at_rest_of(measured.at_rest());
+    const auto& [kept, swept, exact, in_small_steps] = measured.islands();
+    summary["islands"] = {{"kept", kept}, {"swept", swept}, {"exact", exact}, {"in_small_steps", in_small_steps}};
+    if (scene.world.impacts) {
+        const auto& [all, largest, short_steps] = measured.impacts();
+        summary["impacts"] = {
+            {"all", all}, {"largest_in_a_step", largest}, {"steps_with_more_than_are_followed", short_steps}};
+    }
+    if (choices.settings.rest) {
+        const auto& [bodies, since] = measured.at_rest();
+        summary["at_rest"] = {{"bodies", bodies}, {"all_since_s", number_or_null(since)}};
+    }
     summary["energy_initial_j"] = measured.initial_energy();
     summary["energy_final_j"] = measured.final_energy();
     summary["energy_gain_j"] = measured.energy_gain();

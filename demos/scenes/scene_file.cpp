@@ -1,12 +1,13 @@
 #include "demos/scenes/scene_file.h"
 
 #include "demos/scenes/reading/parts.h"
-#include "demos/text/errors.h"
 #include "demos/text/json_reader.h"
 #include "demos/text/palette.h"
+#include "demos/text/suggest.h"
 #include "demos/text/utf8.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <map>
@@ -113,7 +114,8 @@ void read_colours(const JsonReader& json, SceneDescription& scene) {
     for (const auto& [name, value] : json.json().items()) {
         const JsonReader colour = json.at(name);
         if (!bodies.contains(name)) colour.refuse("given to a body of the scene");
-        if (!find_colour(colour.string())) colour.refuse("one of " + colour_names());
+        if (!find_colour(colour.string()))
+            colour.refuse(fmt::format("one of {}", fmt::join(names_of(palette), ", ")));
         bodies[name]->colour = colour.string();
     }
 }

@@ -31,7 +31,7 @@ std::vector<std::string> csv_cells(const std::string& line) {
 std::vector<std::vector<std::string>> read_csv(const std::string& option, const std::filesystem::path& file,
                                                const std::vector<std::string>& columns) {
     const auto refuse = [&](const std::string& what) {
-        throw UsageError(fmt::format("{} {}: {}", option, file.string(), what));
+        throw UsageError("{} {}: {}", option, file.string(), what);
     };
     std::istringstream stream(read_input(file, fmt::format("{} {}", option, file.string())));
     std::vector<std::vector<std::string>> rows;

@@ -3,7 +3,6 @@
 #include "demos/text/errors.h"
 
 #include <fcntl.h>
-#include <fmt/format.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -39,26 +38,21 @@ std::string read_input(const std::filesystem::path& file, const std::string& lab
     const std::lock_guard lock(mutex);
     if (const auto found = kept.find(file); found != kept.end()) return found->second;
 
-    const auto refuse = [&label](const std::string& why) -> void {
-        throw UsageError(fmt::format("{}: cannot be read: {}", label, why));
-    };
+    const auto refuse_error = [&label] { throw UsageError("{}: cannot be read: {}", label, std::strerror(errno)); };
     const Descriptor descriptor(file);
     struct stat about {};
-    if (descriptor.number < 0 || fstat(descriptor.number, &about) != 0) refuse(std::strerror(errno));
+    if (descriptor.number < 0 || fstat(descriptor.number, &about) != 0) refuse_error();
     std::string text;
     std::array<char, 1 << 16> buffer{};
     for (ssize_t count = 1; count != 0;) {
         count = read(descriptor.number, buffer.data(), buffer.size());
-        if (count < 0 && errno != EINTR) refuse(std::strerror(errno));
+        if (count < 0 && errno != EINTR) refuse_error();
         if (count > 0) text.append(buffer.data(), static_cast<std::size_t>(count));
-        if (text.size() > most_bytes) {
-            throw UsageError(fmt::format("{}: must be at most {} bytes long", label, most_bytes));
-        }
+        if (text.size() > most_bytes) throw UsageError("{}: must be at most {} bytes long", label, most_bytes);
     }
     if (text.starts_with("\xef\xbb\xbf")) text.erase(0, 3);
     if (text.starts_with("version https://git-lfs")) {
-        throw UsageError(
-            fmt::format("{}: is a Git LFS pointer and not the file, which `git lfs pull` brings", label));
+        throw UsageError("{}: is a Git LFS pointer and not the file, which `git lfs pull` brings", label);
     }
     if (!S_ISREG(about.st_mode)) kept.emplace(file, text);
     return text;

@@ -18,6 +18,8 @@ namespace pushfactor::demos {
 
 namespace {
 
+constexpr double largest = std::numeric_limits<double>::max();
+
 // Long values would make a long line.
 std::string shortened(const Json& value) {
     std::string text = json_text(value, -1);
@@ -28,8 +30,8 @@ std::string shortened(const Json& value) {
 }  // namespace
 
 void JsonReader::refuse(const std::string& allowed) const {
-    throw UsageError(fmt::format("{}: {} {}: must be {}", file_, path_.empty() ? "the file" : path_,
-                                 shortened(value_), allowed));
+    throw UsageError("{}: {} {}: must be {}", file_, path_.empty() ? "the file" : path_, shortened(value_),
+                     allowed);
 }
 
 void JsonReader::require_object() const {
@@ -40,15 +42,15 @@ void JsonReader::require_object(std::span<const std::string> known) const {
     require_object();
     for (const auto& [key, value] : value_.items()) {
         if (std::find(known.begin(), known.end(), key) != known.end()) continue;
-        throw UsageError(fmt::format("{}: {}{}{}: unknown key{}", file_, path_, path_.empty() ? "" : ".", key,
-                                     nearest_or_all(key, known)));
+        throw UsageError("{}: {}{}{}: unknown key{}", file_, path_, path_.empty() ? "" : ".", key,
+                         nearest_or_all(key, known));
     }
 }
 
 JsonReader JsonReader::at(const std::string& key) const {
     const auto found = value_.find(key);
     const std::string path = path_.empty() ? key : path_ + "." + key;
-    if (found == value_.end()) throw UsageError(fmt::format("{}: {}: is missing", file_, path));
+    if (found == value_.end()) throw UsageError("{}: {}: is missing", file_, path);
     return {*found, file_, path};
 }
 
@@ -63,7 +65,10 @@ std::vector<JsonReader> JsonReader::elements() const {
 }
 
 double JsonReader::number(double low, double high) const {
-    const std::string allowed = fmt::format("a number from {} to {}", to_text(low), to_text(high));
+    return number(low, high, fmt::format("a number from {} to {}", to_text(low), to_text(high)));
+}
+
+double JsonReader::number(double low, double high, const std::string& allowed) const {
     if (!value_.is_number()) refuse(allowed);
     const double number = value_.get<double>();
     if (!(number >= low && number <= high)) refuse(allowed);
@@ -71,17 +76,11 @@ double JsonReader::number(double low, double high) const {
 }
 
 double JsonReader::positive() const {
-    if (!value_.is_number() || !(value_.get<double>() > 0.0) || !std::isfinite(value_.get<double>())) {
-        refuse("a number above 0");
-    }
-    return value_.get<double>();
+    return number(std::numeric_limits<double>::denorm_min(), largest, "a number above 0");
 }
 
 double JsonReader::not_negative() const {
-    if (!value_.is_number() || !(value_.get<double>() >= 0.0) || !std::isfinite(value_.get<double>())) {
-        refuse("a number of at least 0");
-    }
-    return value_.get<double>();
+    return number(0.0, largest, "a number of at least 0");
 }
 
 bool JsonReader::boolean() const {
@@ -217,11 +216,11 @@ bool is_not_finite(std::string word) {
     const std::string word = word_at(text, std::max<std::size_t>(place.position(), 1));
     const bool too_large = dynamic_cast<const Json::out_of_range*>(&problem) != nullptr;
     if (!path.empty() && (too_large || is_not_finite(word))) {
-        throw UsageError(fmt::format("{}: {} {}: must be a finite number", label, path, word));
+        throw UsageError("{}: {} {}: must be a finite number", label, path, word);
     }
     const std::string what = problem.what();
     const std::string where = path.empty() ? "" : ", at " + path;
-    throw UsageError(fmt::format("{}: is not JSON{}: {}", label, where, what.substr(what.find("] ") + 2)));
+    throw UsageError("{}: is not JSON{}: {}", label, where, what.substr(what.find("] ") + 2));
 }
 
 }  // namespace
@@ -230,15 +229,14 @@ Json read_json_file(const std::filesystem::path& file, const std::string& label)
     const std::string text = read_input(file, label);
     // The parser takes a zero byte for the end.
     if (const std::size_t zero = text.find('\0'); zero != std::string::npos) {
-        throw UsageError(fmt::format("{}: is not JSON: byte {} is zero", label, zero + 1));
+        throw UsageError("{}: is not JSON: byte {} is zero", label, zero + 1);
     }
     ErrorPlace place;
     const bool sound = Json::sax_parse(text, &place);
     if (!place.fault().empty()) {
         // Deep paths are long.
         const std::string path = place.path();
-        throw UsageError(
-            fmt::format("{}: {}{}: {}", label, path.substr(0, 60), path.size() > 60 ? "..." : "", place.fault()));
+        throw UsageError("{}: {}{}: {}", label, path.substr(0, 60), path.size() > 60 ? "..." : "", place.fault());
     }
     try {
         Json json = parse_json(text);
@@ -246,7 +244,7 @@ Json read_json_file(const std::filesystem::path& file, const std::string& label)
     } catch (const Json::exception& problem) {
         refuse(label, text, place, problem);
     }
-    throw UsageError(fmt::format("{}: is not JSON", label));
+    throw UsageError("{}: is not JSON", label);
 }
 
 }  // namespace pushfactor::demos

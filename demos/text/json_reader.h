@@ -6,10 +6,8 @@
 #include "engine/base/math.h"
 
 #include <filesystem>
-#include <optional>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace pushfactor::demos {
@@ -31,7 +29,8 @@ class JsonReader {
 
     std::vector<JsonReader> elements() const;  // of an array
 
-    double number(double low, double high) const;  // finite, both ends included
+    double number(double low, double high) const;                              // finite, both ends included
+    double number(double low, double high, const std::string& allowed) const;  // as `allowed` says in the message
     double positive() const;
     double not_negative() const;
     bool boolean() const;

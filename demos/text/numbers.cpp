@@ -10,29 +10,18 @@
 
 namespace pushfactor::demos {
 
-namespace {
-
-template <typename Number>
-std::optional<Number> parse(std::string_view text) {
-    if (text.starts_with('+')) text.remove_prefix(1);
-    Number value{};
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-    return value;
-}
-
-}  // namespace
-
 std::optional<double> parse_number(std::string_view text) {
-    const auto value = parse<double>(text);
-    return value && std::isfinite(*value) ? value : std::nullopt;
+    if (text.starts_with('+')) text.remove_prefix(1);
+    double value = 0.0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    const bool is_whole_text = error == std::errc{} && end == text.data() + text.size();
+    return is_whole_text && std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
 std::optional<int> parse_integer(std::string_view text) {
     const auto value = parse_number(text);
-    return value && *value == static_cast<int>(std::clamp(*value, -2147483648.0, 2147483647.0))
-               ? std::optional(static_cast<int>(*value))
-               : std::nullopt;
+    if (!value || *value != static_cast<int>(std::clamp(*value, -2147483648.0, 2147483647.0))) return std::nullopt;
+    return static_cast<int>(*value);
 }
 
 std::optional<double> parse_length_mm(std::string_view text) {

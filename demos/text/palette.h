@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <optional>
-#include <string>
 #include <string_view>
 
 namespace pushfactor::demos {
@@ -39,12 +38,6 @@ inline std::optional<Colour> find_colour(std::string_view name) {
 inline int number_of(const Colour& colour) {
     const auto byte = [](float part) { return static_cast<int>(std::lround(part * 255.0f)); };
     return (byte(colour.red) << 16) + (byte(colour.green) << 8) + byte(colour.blue);
-}
-
-inline std::string colour_names() {
-    std::string names;
-    for (const Colour& colour : palette) names += (names.empty() ? "" : ", ") + std::string(colour.name);
-    return names;
 }
 
 }  // namespace pushfactor::demos

@@ -55,7 +55,7 @@ std::string one_of(std::string_view typed, std::span<const std::string> known) {
 
 void require_known(std::string_view field, std::string_view typed, std::span<const std::string> known) {
     if (std::ranges::find(known, typed) != known.end()) return;
-    throw UsageError(fmt::format("{} {}: {}", field, typed, one_of(typed, known)));
+    throw UsageError("{} {}: {}", field, typed, one_of(typed, known));
 }
 
 }  // namespace pushfactor::demos

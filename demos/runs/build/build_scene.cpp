@@ -10,7 +10,6 @@
 #include "engine/forces/poke.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 
 namespace pushfactor::demos {
@@ -111,14 +110,8 @@ void add_forces(BuiltScene& scene, const SceneDescription& description) {
 
 // RATTLE composes steps, which small turns are not smooth enough for.
 engine::OrientationStep orientation_step(const Settings& settings) {
-    switch (settings.rotation) {
-        case Rotation::paper:
-            return engine::rotate_euler;
-        case Rotation::exponential:
-            return engine::rotate_exponential;
-        case Rotation::splitting:
-            break;
-    }
+    if (settings.rotation == Rotation::paper) return engine::rotate_euler;
+    if (settings.rotation == Rotation::exponential) return engine::rotate_exponential;
     return is_rattle(settings.scheme) ? engine::rotate_splitting : engine::rotate_by_small_turns;
 }
 
@@ -188,11 +181,6 @@ void require_finite(const BuiltScene& scene) {
         "less extreme, as its " + found->quantity + " is beyond what numbers can be (1e308)");
 }
 
-void resume(BuiltScene& scene, const RunState& state) {
-    scene.world.resume(state.time);
-    scene.parts_before = state.parts;
-}
-
 }  // namespace
 
 int index_of(const std::string& name, const SceneDescription& description) {
@@ -223,7 +211,10 @@ BuiltScene build_scene(const SceneDescription& description, const Settings& sett
     set_rest(scene, description, settings);
     set_threads(scene, settings);
     set_measure(scene, description, settings);
-    if (description.state) resume(scene, *description.state);
+    if (description.state) {
+        scene.world.resume(description.state->time);
+        scene.parts_before = description.state->parts;
+    }
     return scene;
 }
 

@@ -27,14 +27,8 @@ collision::Shape make_shape(const BodyDescription& described) {
 }
 
 engine::FrictionRule make_friction(FrictionModel model, const Vector3& gravity) {
-    switch (model) {
-        case FrictionModel::cone:
-            return engine::cone_friction;
-        case FrictionModel::coulomb:
-            return engine::coulomb_friction;
-        case FrictionModel::paper:
-            break;
-    }
+    if (model == FrictionModel::cone) return engine::cone_friction;
+    if (model == FrictionModel::coulomb) return engine::coulomb_friction;
     return engine::weight_friction(gravity);
 }
 
