@@ -13,7 +13,13 @@ struct SceneEntry {
     std::string_view name;
     std::string_view sentence;  // what happens
     std::span<const Parameter> parameters;
-    SceneDescription (*describe)(const ParameterValues& parameters);
+    SceneDescription (*make)(const ParameterValues& parameters);  // all but its name
+
+    SceneDescription describe(const ParameterValues& values) const {
+        SceneDescription scene = make(values);
+        scene.name = name;
+        return scene;
+    }
 };
 
 std::span<const SceneEntry> catalogue();

@@ -3,6 +3,7 @@
 
 #include "engine/base/math.h"
 
+#include <algorithm>
 #include <memory>
 #include <span>
 
@@ -20,6 +21,8 @@ struct PolyhedronShape {
 
     std::span<const engine::Vector3> points() const;  // m
     double radius() const;                            // m, of the farthest corner
+
+    bool operator==(const PolyhedronShape& other) const { return std::ranges::equal(points(), other.points()); }
 };
 
 // A shape, and where its body frame is in the frame of the points that it was made of.

@@ -30,11 +30,17 @@ using engine::exponential;
 
 struct BoxShape {
     engine::Vector3 size = engine::Vector3::Ones();  // m, edges
+    bool operator==(const BoxShape&) const = default;
 };
 struct SphereShape {
     double radius = 0.5;  // m
+    bool operator==(const SphereShape&) const = default;
 };
-struct PlaneShape {};  // infinite, normal along the body's y axis; static only
+// Infinite, normal along the body's y axis; static only.
+struct PlaneShape {
+    bool operator==(const PlaneShape&) const = default;
+};
+using BodyShape = std::variant<BoxShape, SphereShape, PlaneShape, PolyhedronShape>;
 
 // How a body without mass is moved (engine/bodies/path.h), from its own pose on.
 struct SteadyMotion {
@@ -60,7 +66,7 @@ struct MotionDescription {
 
 struct BodyDescription {
     std::string name{};
-    std::variant<BoxShape, SphereShape, PlaneShape, PolyhedronShape> shape{};
+    BodyShape shape{};
     std::optional<double> mass{};  // kg; static without
     // kg m^2, about the axes of the body frame; those of the uniform solid without.
     std::optional<engine::Vector3> moments{};

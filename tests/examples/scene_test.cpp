@@ -12,25 +12,21 @@
 
 using namespace pushfactor;
 using namespace pushfactor::demos;
-using namespace pushfactor::demos::scenes;
 using engine::Vector3;
+using scenes::view_of;
 
 namespace {
 
 // [example: scene]
-std::span<const Parameter> dominoes_parameters() {
-    static constexpr std::array table{
-        Parameter{"count", "N", "number of dominoes [8]", 8, 1, 1000, true},
-        Parameter{"tip", "RAD/S", "how fast the first one tips over at the start, rad/s [2]", 2, 0, 5},
-    };
-    return table;
-}
+constexpr std::array dominoes_parameters{
+    Parameter{"count", "N", "number of dominoes [8]", 8, 1, 1000, true},
+    Parameter{"tip", "RAD/S", "how fast the first one tips over at the start, rad/s [2]", 2, 0, 5},
+};
 
-SceneDescription dominoes(const ParameterValues& parameters) {
+SceneDescription describe_dominoes(const ParameterValues& parameters) {
     const Vector3 size(0.2, 1.0, 0.5);  // m
     const double spacing = 0.5;         // m
     SceneDescription scene;
-    scene.name = "dominoes";
     scene.contacts = true;
     scene.bodies.push_back({.name = "ground", .shape = PlaneShape{}});
     const int count = parameters.whole("count");
@@ -48,11 +44,10 @@ SceneDescription dominoes(const ParameterValues& parameters) {
     scene.view = view_of(Vector3(0.5 * length, 0.4, 0), 0.5 * length);
     return scene;
 }
-// [end]
 
-// [example: catalogue]
-const SceneEntry entry{"dominoes", "The first of a row of dominoes tips over and takes the others with it.",
-                       dominoes_parameters(), dominoes};
+constinit const SceneEntry dominoes{"dominoes",
+                                    "The first of a row of dominoes tips over and takes the others with it.",
+                                    dominoes_parameters, describe_dominoes};
 // [end]
 
 Simulation simulation_of(const SceneEntry& scene, const char* tip) {
@@ -75,8 +70,8 @@ std::vector<bool> tipped(const Simulation& simulation) {
 }  // namespace
 
 TEST_CASE("example: dominoes tip over one after the other, and none without a first") {
-    Simulation simulation = simulation_of(entry, "2");
-    Simulation untouched = simulation_of(entry, "0");
+    Simulation simulation = simulation_of(dominoes, "2");
+    Simulation untouched = simulation_of(dominoes, "0");
     std::vector<bool> before = tipped(simulation);
     REQUIRE(before.size() == 8);
     for (int step = 0; step < 240; ++step) {

@@ -1,5 +1,4 @@
 // What stands or falls by where its centre of mass is.
-#include "demos/scenes/families/all_families.h"
 #include "demos/scenes/families/pieces.h"
 
 #include <array>
@@ -20,14 +19,13 @@ constexpr double within = 0.8;      // share of the support in which the centre 
 // of them is L / (2 k) farther out than that block. All blocks are at their limit together.
 Prospect describe_overhang(const ParameterValues& values, Random&) {
     const Vector3 block(1.0, 0.25, 0.5);  // m
-    const double mu = values.number("friction");
     const double share = less_than_limit(values);
     const int n = values.whole("blocks");
-    SceneDescription scene = on_ground(mu);
+    SceneDescription scene = on_ground(values);
     double x = 0.0;
     for (int i = 0; i < n; ++i) {
         if (i > 0) x += share * block.x() / (2.0 * (n - i));
-        add_box(scene, "block " + std::to_string(i + 1), block, 1.0, {x, (i + 0.5) * block.y(), 0}, mu);
+        add_body(scene, "block " + std::to_string(i + 1), BoxShape{block}, 1.0, {x, (i + 0.5) * block.y(), 0});
     }
     return ends_by_limit(values, std::move(scene), Ends::topples, 8.0, "block " + std::to_string(n));
 }
@@ -37,18 +35,17 @@ Prospect describe_overhang(const ParameterValues& values, Random&) {
 Prospect describe_seesaw(const ParameterValues& values, Random&) {
     const Vector3 board(2.0, 0.1, 0.5);                      // m
     constexpr double edge = 0.3, height = 0.4, mass = 10.0;  // m, m, kg: of a weight, the block, the board
-    const double mu = values.number("friction"), width = values.number("width");
-    const double share = less_than_limit(values);
+    const double share = less_than_limit(values), width = values.number("width");
     const double light = 1.0, heavy = values.number("ratio");  // kg
     const double arm = 0.5 * (board.x() - edge);
     const double centre = (heavy - light) * arm / (mass + light + heavy);
     const double shift = 0.5 * share * width - centre;
-    SceneDescription scene = on_ground(mu);
-    add_box(scene, "block", {width, height, board.z()}, mass, {0, 0.5 * height, 0}, mu);
-    add_box(scene, "board", board, mass, {shift, height + 0.5 * board.y(), 0}, mu);
+    SceneDescription scene = on_ground(values);
+    add_body(scene, "block", BoxShape{{width, height, board.z()}}, mass, {0, 0.5 * height, 0});
+    add_body(scene, "board", BoxShape{board}, mass, {shift, height + 0.5 * board.y(), 0});
     const double top = height + board.y() + 0.5 * edge;
-    add_box(scene, "light", Vector3::Constant(edge), light, {shift - arm, top, 0}, mu);
-    add_box(scene, "heavy", Vector3::Constant(edge), heavy, {shift + arm, top, 0}, mu);
+    add_body(scene, "light", BoxShape{Vector3::Constant(edge)}, light, {shift - arm, top, 0});
+    add_body(scene, "heavy", BoxShape{Vector3::Constant(edge)}, heavy, {shift + arm, top, 0});
     return ends_by_limit(values, std::move(scene), Ends::slides, 12.0, "heavy");
 }
 
@@ -84,8 +81,7 @@ std::vector<Storey> take_out(int storeys, double share, Random& random) {
 }
 
 Prospect describe_taken_out(const ParameterValues& values, Random& random) {
-    const double mu = values.number("friction");
-    SceneDescription scene = on_ground(mu);
+    SceneDescription scene = on_ground(values);
     const std::vector<Storey> all = take_out(values.whole("storeys"), values.number("taken"), random);
     for (std::size_t k = 0; k < all.size(); ++k) {
         const bool along_x = k % 2 == 0;
@@ -93,9 +89,9 @@ Prospect describe_taken_out(const ParameterValues& values, Random& random) {
             if (!all[k][i]) continue;
             const double beside = (static_cast<double>(i) - 1.0) * slat.z();
             const double y = (static_cast<double>(k) + 0.5) * slat.y();
-            add_box(scene, "storey " + std::to_string(k + 1) + " plank " + std::to_string(i + 1),
-                    along_x ? slat : Vector3(slat.z(), slat.y(), slat.x()), slat_mass,
-                    along_x ? Vector3(0, y, beside) : Vector3(beside, y, 0), mu);
+            add_body(scene, "storey " + std::to_string(k + 1) + " plank " + std::to_string(i + 1),
+                     BoxShape{along_x ? slat : Vector3(slat.z(), slat.y(), slat.x())}, slat_mass,
+                     along_x ? Vector3(0, y, beside) : Vector3(beside, y, 0));
         }
     }
     return standing(std::move(scene));

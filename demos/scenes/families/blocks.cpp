@@ -1,5 +1,4 @@
 // Structures of cubes and blocks.
-#include "demos/scenes/families/all_families.h"
 #include "demos/scenes/families/pieces.h"
 
 #include <cmath>
@@ -12,23 +11,21 @@ namespace {
 using engine::Vector3;
 
 Prospect describe_pyramid(const ParameterValues& values, Random&) {
-    const double mu = values.number("friction");
     const int rows = values.whole("rows");
-    SceneDescription scene = on_ground(mu);
+    SceneDescription scene = on_ground(values);
     for (int row = 0; row < rows; ++row) {
         for (int i = 0; i < rows - row; ++i) {
-            add_box(scene, "row " + std::to_string(row + 1) + " cube " + std::to_string(i + 1), Vector3::Ones(),
-                    row == rows - 1 ? values.number("mass-ratio") : 1.0, {i - 0.5 * (rows - 1 - row), row + 0.5, 0},
-                    mu);
+            add_body(scene, "row " + std::to_string(row + 1) + " cube " + std::to_string(i + 1),
+                     BoxShape{Vector3::Ones()}, row == rows - 1 ? values.number("mass-ratio") : 1.0,
+                     {i - 0.5 * (rows - 1 - row), row + 0.5, 0});
         }
     }
     return standing(std::move(scene));
 }
 
 Prospect describe_stacks(const ParameterValues& values, Random& random) {
-    const double mu = values.number("friction");
     const int stacks = values.whole("stacks");
-    SceneDescription scene = on_ground(mu);
+    SceneDescription scene = on_ground(values);
     const int across = static_cast<int>(std::ceil(std::sqrt(stacks)));
     for (int k = 0; k < stacks; ++k) {
         const double side = random.in(0.3, 1.0);
@@ -39,8 +36,8 @@ Prospect describe_stacks(const ParameterValues& values, Random& random) {
             const double x = side * random.in(-0.1, 0.1);
             const double z = side * random.in(-0.1, 0.1);
             const double angle = random.in(-0.2, 0.2);
-            add_box(scene, "stack " + std::to_string(k + 1) + " cube " + std::to_string(i + 1),
-                    Vector3::Constant(side), 1.0, corner + Vector3(x, (i + 0.5) * side, z), mu)
+            add_body(scene, "stack " + std::to_string(k + 1) + " cube " + std::to_string(i + 1),
+                     BoxShape{Vector3::Constant(side)}, 1.0, corner + Vector3(x, (i + 0.5) * side, z))
                 .orientation = turned(angle);
         }
     }
@@ -50,22 +47,22 @@ Prospect describe_stacks(const ParameterValues& values, Random& random) {
 // With an even number of cubes per side the ball sinks between the four middle ones by their gap.
 Prospect describe_ball_on_cubes(const ParameterValues& values, Random&) {
     constexpr double side = 0.3, radius = 0.4;  // m
-    const double gap = values.number("gap"), mu = values.number("friction"), step = side + gap;
+    const double gap = values.number("gap"), step = side + gap;
     const int n = values.whole("side");
-    SceneDescription scene = on_ground(mu);
+    SceneDescription scene = on_ground(values);
     const double middle = 0.5 * (n - 1);
     for (int i = 0; i < n; ++i) {
         for (int j = 0; j < n; ++j) {
             for (int k = 0; k < n; ++k) {
-                add_box(scene, "cube " + std::to_string(scene.bodies.size()), Vector3::Constant(side), 1.0,
-                        {(i - middle) * step, 0.5 * side + j * step, (k - middle) * step}, mu);
+                add_body(scene, "cube " + std::to_string(scene.bodies.size()), BoxShape{Vector3::Constant(side)},
+                         1.0, {(i - middle) * step, 0.5 * side + j * step, (k - middle) * step});
             }
         }
     }
     const double top = side + (n - 1) * step;
     const double beside = n % 2 == 0 ? 0.5 * gap * std::numbers::sqrt2 : 0.0;
-    add_ball(scene, "ball", radius, values.number("mass"),
-             {0, top + std::sqrt(radius * radius - beside * beside), 0}, mu);
+    add_body(scene, "ball", SphereShape{radius}, values.number("mass"),
+             {0, top + std::sqrt(radius * radius - beside * beside), 0});
     return standing(std::move(scene));
 }
 

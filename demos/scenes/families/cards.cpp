@@ -1,5 +1,4 @@
 // Thin bodies that stand, lean or fall over.
-#include "demos/scenes/families/all_families.h"
 #include "demos/scenes/families/pieces.h"
 
 #include <cmath>
@@ -14,25 +13,25 @@ using engine::Vector3;
 Prospect describe_card_house(const ParameterValues& values, Random&) {
     constexpr double lean = 0.2, height = 1.0, depth = 0.6, mass = 0.1;  // rad, m, m, kg
     constexpr double floor = 1.0, pitch = 1.01;  // m: length of a floor, distance between tops
-    const double thickness = height / values.number("slenderness"), mu = values.number("friction");
+    const double thickness = height / values.number("slenderness");
     // Half of the space that a leaning card takes.
     const double beside = 0.5 * (height * elementary::sin(lean) + thickness * elementary::cos(lean));
     const double above = 0.5 * (height * elementary::cos(lean) + thickness * elementary::sin(lean));
     const int storeys = values.whole("storeys");
-    SceneDescription scene = on_ground(mu);
+    SceneDescription scene = on_ground(values);
     for (int k = 0; k < storeys; ++k) {
         const std::string storey = "storey " + std::to_string(k + 1);
         const double ground = k * (2.0 * above + thickness);
         for (int i = 0; i < storeys - k; ++i) {
             const double top = (i - 0.5 * (storeys - k - 1)) * pitch;
             for (const int side : {-1, 1}) {
-                add_box(scene, storey + (side < 0 ? " left " : " right ") + std::to_string(i + 1),
-                        {thickness, height, depth}, mass, {top + side * beside, ground + above, 0}, mu)
+                add_body(scene, storey + (side < 0 ? " left " : " right ") + std::to_string(i + 1),
+                         BoxShape{{thickness, height, depth}}, mass, {top + side * beside, ground + above, 0})
                     .orientation = inclined(side * lean);
             }
             if (i == 0) continue;
-            add_box(scene, storey + " floor " + std::to_string(i), {floor, thickness, depth}, mass,
-                    {top - 0.5 * pitch, ground + 2.0 * above + 0.5 * thickness, 0}, mu);
+            add_body(scene, storey + " floor " + std::to_string(i), BoxShape{{floor, thickness, depth}}, mass,
+                     {top - 0.5 * pitch, ground + 2.0 * above + 0.5 * thickness, 0});
         }
     }
     return standing(std::move(scene));
@@ -41,13 +40,13 @@ Prospect describe_card_house(const ParameterValues& values, Random&) {
 // The first one rotates about its lower front edge, with 1.5 times the energy that takes it past its balance.
 Prospect describe_dominoes(const ParameterValues& values, Random&) {
     constexpr double height = 1.0, depth = 0.5;  // m
-    const double thickness = values.number("thickness"), mu = values.number("friction");
-    Prospect prospect{.scene = on_ground(mu), .ends = Ends::topples, .rest_by = 0.0};
+    const double thickness = values.number("thickness");
+    Prospect prospect{.scene = on_ground(values), .ends = Ends::topples, .rest_by = 0.0};
     const int count = values.whole("count");
     for (int i = 0; i < count; ++i) {
         const std::string name = "domino " + std::to_string(i + 1);
-        add_box(prospect.scene, name, {thickness, height, depth}, 1.0,
-                {i * values.number("spacing"), 0.5 * height, 0}, mu);
+        add_body(prospect.scene, name, BoxShape{{thickness, height, depth}}, 1.0,
+                 {i * values.number("spacing"), 0.5 * height, 0});
         prospect.leaving.push_back(name);
     }
     const double diagonal = elementary::hypot(height, thickness);
@@ -83,9 +82,11 @@ Prospect describe_leaning_slab(const ParameterValues& values, Random&) {
                             .shape = BoxShape{{1.0, high, 2.0}},
                             .position = {0.5, 0.5 * high, 0},
                             .friction = of_wall * of_wall});
-    add_box(scene, "slab", {thickness, length, width}, 1.0,
-            {-0.5 * (length * sine + thickness * cosine), 0.5 * (length * cosine + thickness * sine), 0}, 1.0)
-        .orientation = inclined(-phi);
+    BodyDescription& slab =
+        add_body(scene, "slab", BoxShape{{thickness, length, width}}, 1.0,
+                 {-0.5 * (length * sine + thickness * cosine), 0.5 * (length * cosine + thickness * sine), 0});
+    slab.orientation = inclined(-phi);
+    slab.friction = 1.0;
     return ends_by_limit(values, std::move(scene), Ends::slides, 8.0, "slab");
 }
 

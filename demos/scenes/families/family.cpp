@@ -1,12 +1,13 @@
 #include "demos/scenes/families/family.h"
 
-#include "demos/scenes/families/all_families.h"
+#include "demos/scenes/families/pieces.h"
 #include "demos/text/numbers.h"
 #include "demos/text/text_hash.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <stdexcept>
 
 namespace pushfactor::demos::families {
@@ -23,9 +24,7 @@ int seed_of(int seed, std::string_view family, std::string_view parameter, int a
 
 // To three digits, for readability.
 double rounded(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.3g", value);
-    return parse_number(text).value_or(value);
+    return parse_number(fmt::format("{:.3g}", value)).value_or(value);
 }
 
 }  // namespace

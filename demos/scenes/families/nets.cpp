@@ -1,5 +1,4 @@
 // Nets of bars that hang.
-#include "demos/scenes/families/all_families.h"
 #include "demos/scenes/families/pieces.h"
 
 #include <Eigen/Core>
@@ -45,7 +44,10 @@ Prospect describe_net(const ParameterValues& values, Random& random) {
                               : DistanceDescription::End{"world", place(i, j)};
     };
     for (int i = 1; i <= inner; ++i) {
-        for (int j = 1; j <= inner; ++j) add_ball(scene, name(i, j), radius, masses(i, j), place(i, j), 0.5);
+        for (int j = 1; j <= inner; ++j) {
+            scene.bodies.push_back(
+                {.name = name(i, j), .shape = SphereShape{radius}, .mass = masses(i, j), .position = place(i, j)});
+        }
     }
     for (int i = 0; i <= inner; ++i) {
         for (int j = 0; j <= inner; ++j) {

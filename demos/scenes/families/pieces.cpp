@@ -48,17 +48,15 @@ SceneDescription on_ground(double friction) {
     return scene;
 }
 
-BodyDescription& add_box(SceneDescription& scene, const std::string& name, const Vector3& size, double mass,
-                         const Vector3& position, double friction) {
-    return scene.bodies.emplace_back(BodyDescription{
-        .name = name, .shape = BoxShape{size}, .mass = mass, .position = position, .friction = friction});
+SceneDescription on_ground(const ParameterValues& values) {
+    return on_ground(values.number("friction"));
 }
 
-BodyDescription& add_ball(SceneDescription& scene, const std::string& name, double radius, double mass,
-                          const Vector3& position, double friction) {
-    scene.bodies.push_back(
-        {.name = name, .shape = SphereShape{radius}, .mass = mass, .position = position, .friction = friction});
-    return scene.bodies.back();
+BodyDescription& add_body(SceneDescription& scene, const std::string& name, const BodyShape& shape, double mass,
+                          const Vector3& position) {
+    const double friction = scene.bodies.front().friction;
+    return scene.bodies.emplace_back(
+        BodyDescription{.name = name, .shape = shape, .mass = mass, .position = position, .friction = friction});
 }
 
 Quaternion turned(double angle) {

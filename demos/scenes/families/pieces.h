@@ -1,4 +1,4 @@
-// Building blocks of family members. The ground is the plane y = 0.
+// The families by source file, and building blocks of their members. The ground is the plane y = 0.
 #pragma once
 
 #include "demos/scenes/families/family.h"
@@ -9,6 +9,15 @@
 #include <string_view>
 
 namespace pushfactor::demos::families {
+
+extern const Family cubes, boxes, mixed, rods, plates, funnel;  // piles.cpp: dropped bodies
+extern const Family round_tower, square_tower, crossed;         // towers.cpp: planks
+extern const Family wall, wall_hit;                             // walls.cpp: bricks
+extern const Family pyramid, stacks, ball_on_cubes;             // blocks.cpp: structures of cubes and blocks
+extern const Family overhang, seesaw, taken_out;         // balances.cpp: what stands or falls by its centre of mass
+extern const Family card_house, dominoes, leaning_slab;  // cards.cpp: thin bodies that stand or lean
+extern const Family cut_column, arch;                    // wedges.cpp: polyhedra with faces that slope
+extern const Family net;                                 // nets.cpp: bars that hang
 
 constexpr double gravity = 10.0;  // m/s^2
 
@@ -29,13 +38,13 @@ Prospect standing(SceneDescription scene);
 Prospect ends_by_limit(const ParameterValues& values, SceneDescription scene, Ends outside, double rest_by,
                        const std::string& leaving);
 
-// An empty scene with its ground.
+// An empty scene with its ground, which has this friction, or the one that was drawn.
 SceneDescription on_ground(double friction);
+SceneDescription on_ground(const ParameterValues& values);
 
-BodyDescription& add_box(SceneDescription& scene, const std::string& name, const engine::Vector3& size, double mass,
-                         const engine::Vector3& position, double friction);
-BodyDescription& add_ball(SceneDescription& scene, const std::string& name, double radius, double mass,
-                          const engine::Vector3& position, double friction);
+// A body with the friction of the ground.
+BodyDescription& add_body(SceneDescription& scene, const std::string& name, const BodyShape& shape, double mass,
+                          const engine::Vector3& position);
 
 // Turned by `angle` [rad] about the vertical, and about the z axis.
 engine::Quaternion turned(double angle);

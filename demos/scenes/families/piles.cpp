@@ -1,5 +1,4 @@
 // Piles: dropped bodies come to rest somewhere, because every contact dissipates energy and none adds any.
-#include "demos/scenes/families/all_families.h"
 #include "demos/scenes/families/pieces.h"
 #include "demos/scenes/named/named_scenes.h"
 
@@ -46,15 +45,15 @@ Vector3 random_size(Random& random, double low, double high) {
     return size;
 }
 
-void add_cube(SceneDescription& scene, int i, const Places& place, double mass, double mu, Random& random) {
-    add_box(scene, name_of_body(i), Vector3::Constant(cube), mass, place(i), mu).orientation =
+void add_cube(SceneDescription& scene, int i, const Vector3& place, double mass, Random& random) {
+    add_body(scene, name_of_body(i), BoxShape{Vector3::Constant(cube)}, mass, place).orientation =
         random_orientation(random);
 }
 
-void add_mixed_box(SceneDescription& scene, int i, const Places& place, double mu, Random& random) {
+void add_mixed_box(SceneDescription& scene, int i, const Vector3& place, Random& random) {
     const Vector3 size = random_size(random, 0.1, 0.5);
     const double mass = random.in(0.5, 5.0);
-    add_box(scene, name_of_body(i), size, mass, place(i), mu).orientation = random_orientation(random);
+    add_body(scene, name_of_body(i), BoxShape{size}, mass, place).orientation = random_orientation(random);
 }
 
 Prospect dropped(SceneDescription scene, double rest_by) {
@@ -62,35 +61,35 @@ Prospect dropped(SceneDescription scene, double rest_by) {
     return {.scene = std::move(scene), .ends = Ends::rests, .rest_by = rest_by};
 }
 
-// A pile of bodies, each added by `add`.
+// A pile of bodies, each added by `add` at its place.
 template <typename Add>
 Prospect pile(const ParameterValues& values, const Add& add) {
-    SceneDescription scene = on_ground(values.number("friction"));
+    SceneDescription scene = on_ground(values);
     const Places place(values);
     const int bodies = values.whole("count");
-    for (int i = 0; i < bodies; ++i) add(scene, i, place, values.number("friction"));
+    for (int i = 0; i < bodies; ++i) add(scene, i, place(i));
     return dropped(std::move(scene), rest_by(place(bodies - 1).y(), values.number("friction")));
 }
 
 Prospect describe_cubes(const ParameterValues& values, Random& random) {
-    return pile(values, [&](SceneDescription& scene, int i, const Places& place, double mu) {
-        add_cube(scene, i, place, 1.0, mu, random);
+    return pile(values, [&](SceneDescription& scene, int i, const Vector3& place) {
+        add_cube(scene, i, place, 1.0, random);
     });
 }
 
 Prospect describe_boxes(const ParameterValues& values, Random& random) {
-    return pile(values, [&](SceneDescription& scene, int i, const Places& place, double mu) {
-        add_mixed_box(scene, i, place, mu, random);
+    return pile(values, [&](SceneDescription& scene, int i, const Vector3& place) {
+        add_mixed_box(scene, i, place, random);
     });
 }
 
 Prospect describe_mixed(const ParameterValues& values, Random& random) {
-    Prospect prospect = pile(values, [&](SceneDescription& scene, int i, const Places& place, double mu) {
-        if (i % 3 == 1) return add_mixed_box(scene, i, place, mu, random);
+    Prospect prospect = pile(values, [&](SceneDescription& scene, int i, const Vector3& place) {
+        if (i % 3 == 1) return add_mixed_box(scene, i, place, random);
         const double mass = random.in(0.5, 5.0);
-        if (i % 3 == 2) return add_cube(scene, i, place, mass, mu, random);
+        if (i % 3 == 2) return add_cube(scene, i, place, mass, random);
         const double radius = random.in(0.15, 0.3);
-        add_ball(scene, name_of_body(i), radius, mass, place(i), mu);
+        add_body(scene, name_of_body(i), SphereShape{radius}, mass, place);
     });
     prospect.stirred = true;
     return prospect;
@@ -98,44 +97,45 @@ Prospect describe_mixed(const ParameterValues& values, Random& random) {
 
 // Cubes below, and rods thrown down from above.
 Prospect describe_rods(const ParameterValues& values, Random& random) {
-    const double mu = values.number("friction"), speed = values.number("speed");
-    SceneDescription scene = on_ground(mu);
+    const double speed = values.number("speed");
+    SceneDescription scene = on_ground(values);
     const Places place(values);
     const int bodies = values.whole("count");
-    for (int i = 0; i < bodies; ++i) add_cube(scene, i, place, 1.0, mu, random);
+    for (int i = 0; i < bodies; ++i) add_cube(scene, i, place(i), 1.0, random);
     const double above = place(bodies - 1).y() + 1.0;
     for (int i = 0; i < values.whole("rods"); ++i) {
         const double length = random.in(0.5, 1.5);
         const double thickness = random.in(0.04, 0.1);
         const double x = random.in(-0.5, 0.5);
         const double z = random.in(-0.5, 0.5);
-        BodyDescription& rod = add_box(scene, "rod " + std::to_string(i + 1), {length, thickness, thickness},
-                                       100.0 * length * thickness, {x, above + 0.3 * i, z}, mu);
+        BodyDescription& rod =
+            add_body(scene, "rod " + std::to_string(i + 1), BoxShape{{length, thickness, thickness}},
+                     100.0 * length * thickness, {x, above + 0.3 * i, z});
         const double slope = random.in(-0.1, 0.1);
         rod.orientation = turned(random.in(0.0, 6.0)) * inclined(slope);
         rod.velocity = Vector3(0, -speed, 0);
     }
     const double height = scene.bodies.back().position.y();
-    return dropped(std::move(scene), rest_by(height, mu, speed));
+    return dropped(std::move(scene), rest_by(height, values.number("friction"), speed));
 }
 
 Prospect describe_plates(const ParameterValues& values, Random& random) {
-    return pile(values, [&](SceneDescription& scene, int i, const Places& place, double mu) {
+    return pile(values, [&](SceneDescription& scene, int i, const Vector3& place) {
         Vector3 size = random_size(random, 0.3, 0.5);
         size.y() = values.number("thickness");
         const double angle = random.in(0.0, 6.0);
-        add_box(scene, name_of_body(i), size, 1000.0 * size.prod(), place(i), mu).orientation =
+        add_body(scene, name_of_body(i), BoxShape{size}, 1000.0 * size.prod(), place).orientation =
             turned(angle) * inclined(random.in(-0.3, 0.3));
     });
 }
 
 Prospect describe_funnel(const ParameterValues& values, Random& random) {
-    ParameterValues of_scene(scenes::funnel_parameters());
+    ParameterValues of_scene(scenes::funnel.parameters);
     const int seed = static_cast<int>(random.in(0.0, 1e6));
-    for (const Parameter& parameter : scenes::funnel_parameters()) {
+    for (const Parameter& parameter : scenes::funnel.parameters) {
         of_scene.set(parameter, std::to_string(parameter.name == "seed" ? seed : values.whole("count")));
     }
-    SceneDescription scene = scenes::funnel(of_scene);
+    SceneDescription scene = scenes::funnel.describe(of_scene);
     double top = 0.0;  // m
     for (BodyDescription& body : scene.bodies) {
         body.friction = values.number("friction");

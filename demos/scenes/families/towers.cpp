@@ -1,8 +1,6 @@
 // Towers of planks that touch exactly.
-#include "demos/scenes/families/all_families.h"
 #include "demos/scenes/families/pieces.h"
 
-#include <cmath>
 #include <numbers>
 
 namespace pushfactor::demos::families {
@@ -21,9 +19,8 @@ std::string name_of_plank(const char* layer, int k, int i) {
 
 // Each ring is turned by half a plank against the one below.
 Prospect describe_round(const ParameterValues& values, Random&) {
-    const double mu = values.number("friction");
     const int planks = values.whole("planks");
-    SceneDescription scene = on_ground(mu);
+    SceneDescription scene = on_ground(values);
     // Neighbours do not touch: their inner corners are 3 cm tan(pi / planks) apart.
     const auto [sine, cosine] = elementary::sine_cosine(std::numbers::pi / planks);
     const double radius = 0.015 + 0.5 * plank.z() + 0.5 * plank.x() * cosine / sine;
@@ -32,7 +29,7 @@ Prospect describe_round(const ParameterValues& values, Random&) {
             const double angle = 2.0 * std::numbers::pi * (i + 0.5 * (ring % 2)) / planks;
             const Vector3 place(radius * elementary::cos(angle), (ring + 0.5) * plank.y(),
                                 radius * elementary::sin(angle));
-            add_box(scene, name_of_plank("ring ", ring, i), plank, plank_mass, place, mu).orientation =
+            add_body(scene, name_of_plank("ring ", ring, i), BoxShape{plank}, plank_mass, place).orientation =
                 turned(-angle - 0.5 * std::numbers::pi);
         }
     }
@@ -41,31 +38,30 @@ Prospect describe_round(const ParameterValues& values, Random&) {
 
 // Two planks side by side, and two across them.
 Prospect describe_square(const ParameterValues& values, Random&) {
-    const double mu = values.number("friction");
-    SceneDescription scene = on_ground(mu);
+    SceneDescription scene = on_ground(values);
     const double out = 0.5 * (plank.x() - plank.z());
     for (int k = 0; k < 2 * values.whole("storeys"); ++k) {
         for (const int side : {-1, 1}) {
             const double y = (k + 0.5) * plank.y();
             const Vector3 place = k % 2 == 0 ? Vector3(0, y, side * out) : Vector3(side * out, y, 0);
-            add_box(scene, name_of_plank("layer ", k, (side + 1) / 2), plank, plank_mass, place, mu).orientation =
-                turned(k % 2 == 0 ? 0.0 : 0.5 * std::numbers::pi);
+            add_body(scene, name_of_plank("layer ", k, (side + 1) / 2), BoxShape{plank}, plank_mass, place)
+                .orientation = turned(k % 2 == 0 ? 0.0 : 0.5 * std::numbers::pi);
         }
     }
     return standing(std::move(scene));
 }
 
 Prospect describe_crossed(const ParameterValues& values, Random&) {
-    const double mu = values.number("friction"), gap = values.number("gap");
-    SceneDescription scene = on_ground(mu);
+    const double gap = values.number("gap");
+    SceneDescription scene = on_ground(values);
     constexpr double height = 0.1, width = 0.3, length = 1.0;  // m
     for (int k = 0; k < values.whole("layers"); ++k) {
         for (int i = -1; i <= 1; ++i) {
             const double beside = i * (width + gap), y = (k + 0.5) * height;
             const bool across = k % 2 == 1;
-            add_box(scene, name_of_plank("layer ", k, i + 1),
-                    across ? Vector3(width, height, length) : Vector3(length, height, width), 10.0,
-                    across ? Vector3(beside, y, 0) : Vector3(0, y, beside), mu);
+            add_body(scene, name_of_plank("layer ", k, i + 1),
+                     BoxShape{across ? Vector3(width, height, length) : Vector3(length, height, width)}, 10.0,
+                     across ? Vector3(beside, y, 0) : Vector3(0, y, beside));
         }
     }
     return standing(std::move(scene));

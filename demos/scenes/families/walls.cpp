@@ -1,8 +1,5 @@
 // Walls of bricks in bond.
-#include "demos/scenes/families/all_families.h"
 #include "demos/scenes/families/pieces.h"
-
-#include <cmath>
 
 namespace pushfactor::demos::families {
 
@@ -19,18 +16,18 @@ const FamilyParameter gap{{"gap", "M", "space between neighbours, m", 0, 0, 0.02
 
 // Every second row begins and ends with half a brick.
 SceneDescription bricks(const ParameterValues& values) {
-    const double mu = values.number("friction"), between = values.number("gap");
+    const double between = values.number("gap");
     const int n = values.whole("columns");
     const double step = brick.x() + between, width = n * step - between;
-    SceneDescription scene = on_ground(mu);
+    SceneDescription scene = on_ground(values);
     for (int row = 0; row < values.whole("rows"); ++row) {
         double left = -0.5 * width;
         for (int i = 0; i < n + row % 2; ++i) {
             const bool half = row % 2 == 1 && (i == 0 || i == n);
             const double length = half ? 0.5 * (brick.x() - between) : brick.x();
-            add_box(scene, "row " + std::to_string(row + 1) + " brick " + std::to_string(i + 1),
-                    {length, brick.y(), brick.z()}, kg_per_metre * length,
-                    {left + 0.5 * length, (row + 0.5) * brick.y(), 0}, mu);
+            add_body(scene, "row " + std::to_string(row + 1) + " brick " + std::to_string(i + 1),
+                     BoxShape{{length, brick.y(), brick.z()}}, kg_per_metre * length,
+                     {left + 0.5 * length, (row + 0.5) * brick.y(), 0});
             left += length + between;
         }
     }
@@ -38,8 +35,7 @@ SceneDescription bricks(const ParameterValues& values) {
 }
 
 Prospect describe_wall(const ParameterValues& values, Random&) {
-    SceneDescription scene = bricks(values);
-    return standing(std::move(scene));
+    return standing(bricks(values));
 }
 
 Prospect describe_wall_hit(const ParameterValues& values, Random& random) {
@@ -47,8 +43,7 @@ Prospect describe_wall_hit(const ParameterValues& values, Random& random) {
     constexpr double radius = 0.3;  // m
     const double height = brick.y() * values.number("rows");
     const double aim = random.in(0.4, 0.9) * height, aside = random.in(-0.2, 0.2);
-    add_ball(scene, "ball", radius, values.number("mass"), {aside, std::max(aim, radius + 0.01), 1.0},
-             values.number("friction"))
+    add_body(scene, "ball", SphereShape{radius}, values.number("mass"), {aside, std::max(aim, radius + 0.01), 1.0})
         .velocity = Vector3(0, 0, -values.number("speed"));
     look_at_all(scene);
     const double rests = rest_by(height, values.number("friction"), values.number("speed"));

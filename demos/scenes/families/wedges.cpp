@@ -1,9 +1,8 @@
 // Polyhedra with faces that slope.
-#include "demos/scenes/families/all_families.h"
 #include "demos/scenes/families/pieces.h"
 #include "demos/scenes/named/arch.h"
+#include "demos/scenes/named/named_scenes.h"
 
-#include <cmath>
 #include <vector>
 
 namespace pushfactor::demos::families {
@@ -14,15 +13,14 @@ using engine::Vector3;
 
 // A body whose outline in the plane z = 0 are these corners.
 void add_prism(SceneDescription& scene, const std::string& name, const std::vector<Vector3>& corners, double depth,
-               double density, double mu) {
+               double density) {
     std::vector<Vector3> points;
     for (const Vector3& corner : corners) {
         for (const double z : {-0.5 * depth, 0.5 * depth}) points.emplace_back(corner.x(), corner.y(), z);
     }
     const FramedPolyhedron polyhedron = make_polyhedron(points);
-    BodyDescription body{.name = name, .mass = density * polyhedron.shape.volume, .friction = mu};
-    give_polyhedron(body, polyhedron);
-    scene.bodies.push_back(body);
+    give_polyhedron(add_body(scene, name, polyhedron.shape, density * polyhedron.shape.volume, Vector3::Zero()),
+                    polyhedron);
 }
 
 // A column of cubes, each cut by a plane through its middle. What is above a cut presses straight down on it.
@@ -30,19 +28,18 @@ Prospect describe_cut_column(const ParameterValues& values, Random&) {
     constexpr double side = 1.0, density = 1000.0;  // m, kg/m^3
     const auto [sine, cosine] = elementary::sine_cosine(values.number("angle"));
     const double slope = sine / cosine;
-    const double mu = slope * more_than_limit(values);
-    SceneDescription scene = on_ground(mu);
+    SceneDescription scene = on_ground(slope * more_than_limit(values));
     const int cubes = values.whole("cubes");
     for (int k = 0; k < cubes; ++k) {
         const double ground = k * side, cut = ground + 0.5 * side, rise = 0.5 * side * slope, half = 0.5 * side;
         const std::string name = "cube " + std::to_string(k + 1);
         add_prism(scene, name + " lower",
                   {{-half, ground, 0}, {half, ground, 0}, {-half, cut - rise, 0}, {half, cut + rise, 0}}, side,
-                  density, mu);
+                  density);
         add_prism(
             scene, name + " upper",
             {{-half, cut - rise, 0}, {half, cut + rise, 0}, {-half, ground + side, 0}, {half, ground + side, 0}},
-            side, density, mu);
+            side, density);
     }
     return ends_by_limit(values, std::move(scene), Ends::slides, 15.0, "cube " + std::to_string(cubes) + " upper");
 }
@@ -51,12 +48,12 @@ Prospect describe_arch(const ParameterValues& values, Random&) {
     const int voussoirs = values.whole("voussoirs");
     const double least = scenes::least_thickness({.voussoirs = voussoirs}, scenes::arch_friction);
     const double thickness = least * more_than_limit(values);
-    ParameterValues of_arch(scenes::arch_parameters());
-    for (const Parameter& parameter : scenes::arch_parameters()) {
+    ParameterValues of_arch(scenes::arch.parameters);
+    for (const Parameter& parameter : scenes::arch.parameters) {
         if (parameter.name == "voussoirs") of_arch.set(parameter, std::to_string(voussoirs));
         if (parameter.name == "thickness") of_arch.set(parameter, std::to_string(thickness));
     }
-    SceneDescription scene = scenes::arch(of_arch);
+    SceneDescription scene = scenes::arch.describe(of_arch);
     scene.gravity = Vector3(0, -gravity, 0);
     scene.bodies.push_back({.name = "ground", .shape = PlaneShape{}, .position = {0, *scene.view.floor, 0}});
     return ends_by_limit(values, std::move(scene), Ends::slides, 8.0,

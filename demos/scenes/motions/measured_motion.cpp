@@ -23,9 +23,7 @@ void give_shape(BodyDescription& body, const BodyDescription& of) {
                            [&](const PlaneShape& plane) { body.shape = plane; },
                            [&](const PolyhedronShape& polyhedron) {
                                std::vector<Vector3> points;
-                               for (const Vector3& point : polyhedron.points()) {
-                                   points.push_back(smaller * point);
-                               }
+                               for (const Vector3& point : polyhedron.points()) points.push_back(smaller * point);
                                give_polyhedron(body, make_polyhedron(points));
                            }},
         of.shape);
@@ -59,9 +57,7 @@ void add_measured(SceneDescription& scene, const std::filesystem::path& file) {
         const auto refuse = [&](const std::string& what) {
             reader.refuse(fmt::format("line {}: {}", reader.line(), what));
         };
-        if (number >= count) {
-            refuse(fmt::format("body {} must be one of the scene's, 0 to {}", number, count - 1));
-        }
+        if (number >= count) refuse(fmt::format("body {} must be one of the scene's, 0 to {}", number, count - 1));
         const BodyDescription& body = scene.bodies[number];
         if (!body.mass) {
             if (!body.motion) refuse(fmt::format("body {} ({}) must be one with a mass", number, body.name));
@@ -81,9 +77,7 @@ void add_measured(SceneDescription& scene, const std::filesystem::path& file) {
     if (by_body.empty()) reader.refuse("must have poses of a body with a mass");
     for (const auto& [number, poses] : by_body) {
         const std::string& name = scene.bodies[number].name;
-        if (poses.size() < 2) {
-            reader.refuse(fmt::format("body {} ({}) must have two poses at least", number, name));
-        }
+        if (poses.size() < 2) reader.refuse(fmt::format("body {} ({}) must have two poses at least", number, name));
         if (std::ranges::find(scene.bodies, "measured " + name, &BodyDescription::name) != scene.bodies.end()) {
             reader.refuse(fmt::format("must be left out of a scene that has a body \"measured {}\"", name));
         }

@@ -21,7 +21,7 @@ PoseReader::PoseReader(std::string option, const std::filesystem::path& file)
 }
 
 void PoseReader::refuse(const std::string& what) const {
-    throw UsageError(fmt::format("{}: {}", name_, what));
+    throw UsageError("{}: {}", name_, what);
 }
 
 void PoseReader::rewind() {

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
 #include <numbers>
 #include <utility>
@@ -152,22 +151,20 @@ double least_friction(const ArchShape& shape) {
     return bisect(0.0, 2.0, [&](double friction) { return can_stand(shape, friction); });
 }
 
-std::span<const Parameter> arch_parameters() {
-    static constexpr std::array table{
-        Parameter{"voussoirs", "N", "number of voussoirs [15]", 15, 2, 200, true},
-        Parameter{"thickness", "T", "of the arch over its mean radius [0.12]", 0.12, 0.02, 0.9},
-        Parameter{"half-angle", "DEG", "from the crown to a springing, in degrees [90]", 90, 10, 120},
-    };
-    return table;
-}
+namespace {
 
-SceneDescription arch(const ParameterValues& parameters) {
+constexpr std::array arch_parameters{
+    Parameter{"voussoirs", "N", "number of voussoirs [15]", 15, 2, 200, true},
+    Parameter{"thickness", "T", "of the arch over its mean radius [0.12]", 0.12, 0.02, 0.9},
+    Parameter{"half-angle", "DEG", "from the crown to a springing, in degrees [90]", 90, 10, 120},
+};
+
+SceneDescription describe_arch(const ParameterValues& parameters) {
     const int count = parameters.whole("voussoirs");
     const double thickness = parameters.number("thickness") * mean_radius;
     const double half = parameters.number("half-angle") * std::numbers::pi / 180.0;
 
     SceneDescription scene;
-    scene.name = "arch";
     scene.contacts = true;
     add_abutment(scene, "left abutment", -half, thickness, arch_friction);
     add_abutment(scene, "right abutment", half, thickness, arch_friction);
@@ -185,5 +182,11 @@ SceneDescription arch(const ParameterValues& parameters) {
     scene.view.floor = lowest;
     return scene;
 }
+
+}  // namespace
+
+constinit const SceneEntry arch{"arch",
+                                "A semicircular arch of loose voussoirs stands by weight, contact and friction.",
+                                arch_parameters, describe_arch};
 
 }  // namespace pushfactor::demos::scenes

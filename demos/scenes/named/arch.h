@@ -1,13 +1,7 @@
-// A semicircular arch of voussoirs, and what limit analysis says of it.
+// What limit analysis says of semicircular arches.
 #pragma once
 
-#include "demos/scenes/parameters.h"
-#include "demos/scenes/scene_description.h"
-
 namespace pushfactor::demos::scenes {
-
-std::span<const Parameter> arch_parameters();
-SceneDescription arch(const ParameterValues& parameters);
 
 constexpr double arch_friction = 0.7;  // between its stones
 

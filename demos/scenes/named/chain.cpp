@@ -3,23 +3,21 @@
 #include "demos/scenes/named/named_scenes.h"
 
 #include <array>
-#include <cmath>
 #include <numbers>
 
 namespace pushfactor::demos::scenes {
 
 using engine::Vector3;
 
-std::span<const Parameter> chain_parameters() {
-    static constexpr std::array table{
-        Parameter{"links", "N", "number of bars [20]", 20, 1, 10000, true},
-        Parameter{"end-mass", "KG", "mass of the last ball in kg, the others have 1 [1]", 1, 1e-6, 1e9},
-        Parameter{"angle", "DEG", "where it starts, degrees from hanging straight down [90]", 90, -180, 180},
-    };
-    return table;
-}
+namespace {
 
-SceneDescription chain(const ParameterValues& parameters) {
+constexpr std::array chain_parameters{
+    Parameter{"links", "N", "number of bars [20]", 20, 1, 10000, true},
+    Parameter{"end-mass", "KG", "mass of the last ball in kg, the others have 1 [1]", 1, 1e-6, 1e9},
+    Parameter{"angle", "DEG", "where it starts, degrees from hanging straight down [90]", 90, -180, 180},
+};
+
+SceneDescription describe_chain(const ParameterValues& parameters) {
     constexpr double length = 1.0;  // m
     constexpr double radius = 0.2;  // m, drawn only; the bars hold the centres
     const int links = parameters.whole("links");
@@ -28,7 +26,6 @@ SceneDescription chain(const ParameterValues& parameters) {
     const Vector3 along(elementary::sin(angle), -elementary::cos(angle), 0.0);
 
     SceneDescription scene;
-    scene.name = "chain";
     for (int i = 1; i <= links; ++i) {
         const bool end = i == links;
         BodyDescription ball{
@@ -47,5 +44,11 @@ SceneDescription chain(const ParameterValues& parameters) {
     scene.view.floor = -1.15 * reach;
     return scene;
 }
+
+}  // namespace
+
+constinit const SceneEntry chain{"chain",
+                                 "A chain of bars swings down from the horizontal with a weight at its end.",
+                                 chain_parameters, describe_chain};
 
 }  // namespace pushfactor::demos::scenes

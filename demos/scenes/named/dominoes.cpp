@@ -24,25 +24,19 @@ double push_speed(double height, double thickness, double gravity) {
     return std::sqrt(2.0 * push * gravity * rise / moment);
 }
 
-}  // namespace
+constexpr std::array dominoes_parameters{
+    Parameter{"count", "N", "number of dominoes [40]", 40, 1, 1000, true},
+    Parameter{"height", "M", "of a domino in m [0.048]", 0.048, 1e-3, 100},
+    Parameter{"spacing", "S", "gap between two of them, in heights [0.5]", 0.5, 0.01, 0.95},
+};
 
-std::span<const Parameter> dominoes_parameters() {
-    static constexpr std::array table{
-        Parameter{"count", "N", "number of dominoes [40]", 40, 1, 1000, true},
-        Parameter{"height", "M", "of a domino in m [0.048]", 0.048, 1e-3, 100},
-        Parameter{"spacing", "S", "gap between two of them, in heights [0.5]", 0.5, 0.01, 0.95},
-    };
-    return table;
-}
-
-SceneDescription dominoes(const ParameterValues& parameters) {
+SceneDescription describe_dominoes(const ParameterValues& parameters) {
     const int count = parameters.whole("count");
     const double height = parameters.number("height");
     const double thickness = thickness_to_height * height;
     const double pitch = thickness + parameters.number("spacing") * height;
 
     SceneDescription scene;
-    scene.name = "dominoes";
     scene.contacts = true;
     scene.bodies.push_back({.name = "table", .shape = PlaneShape{}, .friction = domino_friction});
     const Vector3 size(thickness, height, width_to_height * height);
@@ -67,5 +61,10 @@ SceneDescription dominoes(const ParameterValues& parameters) {
     scene.view.eye = scene.view.target + distance * Vector3(0.35, 0.38, 1.0).normalized();
     return scene;
 }
+
+}  // namespace
+
+constinit const SceneEntry dominoes{"dominoes", "A row of dominoes falls, one knocking over the next.",
+                                    dominoes_parameters, describe_dominoes};
 
 }  // namespace pushfactor::demos::scenes

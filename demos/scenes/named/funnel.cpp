@@ -76,17 +76,15 @@ View view_into_funnel(int count) {
     return view;
 }
 
-std::span<const Parameter> funnel_parameters() {
-    static constexpr std::array table{
-        Parameter{"count", "N", "number of balls, above 20 in layers [20]", 20, 1, 100000, true},
-        Parameter{"seed", "N", "seed of the places at the start [1]", 1, 0, 1e9, true},
-    };
-    return table;
-}
+namespace {
 
-SceneDescription funnel(const ParameterValues& parameters) {
+constexpr std::array funnel_parameters{
+    Parameter{"count", "N", "number of balls, above 20 in layers [20]", 20, 1, 100000, true},
+    Parameter{"seed", "N", "seed of the places at the start [1]", 1, 0, 1e9, true},
+};
+
+SceneDescription describe_funnel(const ParameterValues& parameters) {
     SceneDescription scene;
-    scene.name = "funnel";
     scene.contacts = true;
     add_funnel_planes(scene, friction);
 
@@ -100,5 +98,11 @@ SceneDescription funnel(const ParameterValues& parameters) {
     scene.view = view_into_funnel(count);
     return scene;
 }
+
+}  // namespace
+
+constinit const SceneEntry funnel{
+    "funnel", "Twenty balls fall into a funnel of four infinite planes and come to rest (Figure 8).",
+    funnel_parameters, describe_funnel};
 
 }  // namespace pushfactor::demos::scenes

@@ -1,12 +1,9 @@
-// Named scenes that are only that, one file each, and what they share; those with more to offer have a header of
-// their own.
+// The named scenes, one file each, and what they share.
 #pragma once
 
-#include "demos/scenes/parameters.h"
+#include "demos/scenes/catalogue.h"
 #include "demos/scenes/random.h"
-#include "demos/scenes/scene_description.h"
 
-#include <span>
 #include <vector>
 
 namespace pushfactor::demos::scenes {
@@ -18,20 +15,10 @@ inline View view_of(const engine::Vector3& target, double height) {
     return {.eye = target + distance * engine::Vector3(0.45, 0.28, 1.0).normalized(), .target = target};
 }
 
-SceneDescription stack(const ParameterValues& parameters);  // paper section 10.1
-std::span<const Parameter> stack_parameters();
-SceneDescription intersecting_stack(const ParameterValues& parameters);  // paper section 10.2
-std::span<const Parameter> intersecting_stack_parameters();
-SceneDescription pendulum_grid(const ParameterValues& parameters);  // paper section 10.3 and Figure 9
-std::span<const Parameter> pendulum_grid_parameters();
-SceneDescription pendulum_wave(const ParameterValues& parameters);  // paper section 10.3 and Figure 10
-std::span<const Parameter> pendulum_wave_parameters();
-SceneDescription chain(const ParameterValues& parameters);
-std::span<const Parameter> chain_parameters();
-SceneDescription heavy_on_light(const ParameterValues& parameters);
-std::span<const Parameter> heavy_on_light_parameters();
-SceneDescription dominoes(const ParameterValues& parameters);
-std::span<const Parameter> dominoes_parameters();
+extern const SceneEntry stack, intersecting_stack;  // paper sections 10.1 and 10.2
+extern const SceneEntry funnel, pendulum_grid;      // 10.3 with Figures 8 and 9
+extern const SceneEntry pendulum_wave;              // 10.3 and Figure 10
+extern const SceneEntry chain, heavy_on_light, arch, dominoes, platonic;
 
 // The cubes of section 10.1; the paper gives no friction.
 struct Tower {
@@ -47,14 +34,7 @@ struct Tower {
 // The first body is the ground, then the cubes from below.
 SceneDescription cube_tower(const Tower& tower);
 
-// A view that shows everything up to `height` [m].
-View view_of_height(double height);
-
-// Paper section 10.3 and Figure 8.
-std::span<const Parameter> funnel_parameters();
-SceneDescription funnel(const ParameterValues& parameters);
-
-// The four planes, as bodies without mass.
+// The four planes of the funnel, as bodies without mass.
 void add_funnel_planes(SceneDescription& scene, double mu);
 
 // Centres [m] of `count` bodies that reach `reach` [m] from theirs: square layers as wide as the funnel at their

@@ -55,24 +55,18 @@ void add_pendulums(SceneDescription& scene) {
     }
 }
 
-void add_object(SceneDescription& scene, const std::string& name, const decltype(BodyDescription::shape)& shape,
-                const Vector3& position, const char* colour) {
+void add_object(SceneDescription& scene, const std::string& name, const BodyShape& shape, const Vector3& position,
+                const char* colour) {
     scene.bodies.push_back({.name = name, .shape = shape, .mass = 1.0, .position = position, .colour = colour});
 }
 
-}  // namespace
+constexpr std::array pendulum_grid_parameters{
+    Parameter{"poke", "N", "steady force in N down on the sphere in the corner pocket [0]", 0, 0, 1e6},
+    Parameter{"poke-at", "S", "when it begins, in s [2]", 2, 0, 1e6},
+};
 
-std::span<const Parameter> pendulum_grid_parameters() {
-    static constexpr std::array table{
-        Parameter{"poke", "N", "steady force in N down on the sphere in the corner pocket [0]", 0, 0, 1e6},
-        Parameter{"poke-at", "S", "when it begins, in s [2]", 2, 0, 1e6},
-    };
-    return table;
-}
-
-SceneDescription pendulum_grid(const ParameterValues& parameters) {
+SceneDescription describe_pendulum_grid(const ParameterValues& parameters) {
     SceneDescription scene;
-    scene.name = "pendulum-grid";
     scene.contacts = true;
     scene.bodies.push_back({.name = "ground", .shape = PlaneShape{}, .position = Vector3(0, ground, 0)});
     add_pendulums(scene);
@@ -102,5 +96,11 @@ SceneDescription pendulum_grid(const ParameterValues& parameters) {
         scene.view.target + (scene.view.eye - scene.view.target).norm() * Vector3(-1, 0.45, 0.4).normalized();
     return scene;
 }
+
+}  // namespace
+
+constinit const SceneEntry pendulum_grid{
+    "pendulum-grid", "Twenty-five pendulums side by side hold spheres and boxes up, until one is poked (Figure 9).",
+    pendulum_grid_parameters, describe_pendulum_grid};
 
 }  // namespace pushfactor::demos::scenes

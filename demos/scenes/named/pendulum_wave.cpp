@@ -80,20 +80,14 @@ class WaveMeasure : public SceneMeasure {
     double initial_energy_, swing_energy_ = 0.0, energy_ = 0.0, kinetic_ = 0.0, potential_ = 0.0;
 };
 
-}  // namespace
+constexpr std::array pendulum_wave_parameters{
+    Parameter{"count", "N", "number of pendulums [50]", 50, 1, 122, true},
+    Parameter{"amplitude", "DEG", "angle at which they are released, in degrees [22.9183, which is 0.4 rad]",
+              0.4 * 180.0 / std::numbers::pi, 0.1, 80},
+};
 
-std::span<const Parameter> pendulum_wave_parameters() {
-    static constexpr std::array table{
-        Parameter{"count", "N", "number of pendulums [50]", 50, 1, 122, true},
-        Parameter{"amplitude", "DEG", "angle at which they are released, in degrees [22.9183, which is 0.4 rad]",
-                  0.4 * 180.0 / std::numbers::pi, 0.1, 80},
-    };
-    return table;
-}
-
-SceneDescription pendulum_wave(const ParameterValues& parameters) {
+SceneDescription describe_pendulum_wave(const ParameterValues& parameters) {
     SceneDescription scene;
-    scene.name = "pendulum-wave";
     const double amplitude = parameters.number("amplitude") * std::numbers::pi / 180.0;
     const int count = parameters.whole("count");
     std::vector<BallOnBar> pendulums;
@@ -123,5 +117,12 @@ SceneDescription pendulum_wave(const ParameterValues& parameters) {
     scene.view = {.eye = Vector3(-9.2, 3.3, 6.2), .target = Vector3(-1.2, 1.75, 0), .floor = 0.0};
     return scene;
 }
+
+}  // namespace
+
+constinit const SceneEntry pendulum_wave{
+    "pendulum-wave",
+    "Fifty pendulums of graded length run out of phase and, after two minutes, back in (Figure 10).",
+    pendulum_wave_parameters, describe_pendulum_wave};
 
 }  // namespace pushfactor::demos::scenes

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <numbers>
 
 namespace pushfactor::demos::scenes {
@@ -24,13 +23,14 @@ std::vector<Vector3> on_unit_sphere(std::vector<Vector3> points) {
     return points;
 }
 
-// (0, +-a, +-b) and its cyclic permutations.
-void add_rectangles(double a, double b, std::vector<Vector3>& points) {
+// The points with (0, +-a, +-b) and its cyclic permutations.
+std::vector<Vector3> with_rectangles(double a, double b, std::vector<Vector3> points = {}) {
     for (const double s : {a, -a}) {
         for (const double t : {b, -b}) {
             points.insert(points.end(), {Vector3(0, s, t), Vector3(s, t, 0), Vector3(t, 0, s)});
         }
     }
+    return points;
 }
 
 std::vector<Vector3> cube_points() {
@@ -43,46 +43,33 @@ std::vector<Vector3> cube_points() {
     return points;
 }
 
-std::vector<Vector3> dodecahedron_points() {
-    std::vector<Vector3> points = cube_points();
-    add_rectangles(1.0 / std::numbers::phi, std::numbers::phi, points);
-    return points;
-}
-
-std::vector<Vector3> icosahedron_points() {
-    std::vector<Vector3> points;
-    add_rectangles(1.0, std::numbers::phi, points);
-    return points;
-}
-
 constexpr std::array colours{"vermilion", "orange", "green", "blue", "violet"};
 
 }  // namespace
 
 const std::array<RegularSolid, 5>& regular_solids() {
+    using std::numbers::phi;
     static const std::array<RegularSolid, 5> solids{
         RegularSolid{"tetrahedron", on_unit_sphere({{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}})},
         RegularSolid{"cube", on_unit_sphere(cube_points())},
         RegularSolid{"octahedron",
                      {Vector3::UnitX(), -Vector3::UnitX(), Vector3::UnitY(), -Vector3::UnitY(), Vector3::UnitZ(),
                       -Vector3::UnitZ()}},
-        RegularSolid{"dodecahedron", on_unit_sphere(dodecahedron_points())},
-        RegularSolid{"icosahedron", on_unit_sphere(icosahedron_points())},
+        RegularSolid{"dodecahedron", on_unit_sphere(with_rectangles(1.0 / phi, phi, cube_points()))},
+        RegularSolid{"icosahedron", on_unit_sphere(with_rectangles(1.0, phi))},
     };
     return solids;
 }
 
-std::span<const Parameter> platonic_parameters() {
-    static constexpr std::array table{
-        Parameter{"count", "N", "number of each solid [20]", 20, 1, 10000, true},
-        Parameter{"seed", "N", "seed of places, order and orientations [1]", 1, 0, 1e9, true},
-    };
-    return table;
-}
+namespace {
 
-SceneDescription platonic(const ParameterValues& parameters) {
+constexpr std::array platonic_parameters{
+    Parameter{"count", "N", "number of each solid [20]", 20, 1, 10000, true},
+    Parameter{"seed", "N", "seed of places, order and orientations [1]", 1, 0, 1e9, true},
+};
+
+SceneDescription describe_platonic(const ParameterValues& parameters) {
     SceneDescription scene;
-    scene.name = "platonic";
     scene.contacts = true;
     add_funnel_planes(scene, mu);
 
@@ -118,5 +105,11 @@ SceneDescription platonic(const ParameterValues& parameters) {
     scene.view = view_into_funnel(count);
     return scene;
 }
+
+}  // namespace
+
+constinit const SceneEntry platonic{"platonic",
+                                    "The five regular solids are poured into the funnel and come to rest.",
+                                    platonic_parameters, describe_platonic};
 
 }  // namespace pushfactor::demos::scenes

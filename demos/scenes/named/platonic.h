@@ -1,8 +1,7 @@
-// The five regular solids, poured into the funnel.
+// The five regular solids.
 #pragma once
 
-#include "demos/scenes/parameters.h"
-#include "demos/scenes/scene_description.h"
+#include "engine/base/math.h"
 
 #include <array>
 #include <string_view>
@@ -15,8 +14,5 @@ struct RegularSolid {
     std::vector<engine::Vector3> points;  // m, at a distance of 1 from the origin
 };
 const std::array<RegularSolid, 5>& regular_solids();
-
-std::span<const Parameter> platonic_parameters();
-SceneDescription platonic(const ParameterValues& parameters);
 
 }  // namespace pushfactor::demos::scenes

@@ -6,21 +6,8 @@ namespace pushfactor::demos::scenes {
 
 namespace {
 
-bool same_shape(const BodyDescription& a, const BodyDescription& b) {
-    if (a.shape.index() != b.shape.index()) return false;
-    return std::visit(
-        engine::Overloaded{
-            [&](const BoxShape& box) { return box.size == std::get<BoxShape>(b.shape).size; },
-            [&](const SphereShape& sphere) { return sphere.radius == std::get<SphereShape>(b.shape).radius; },
-            [](const PlaneShape&) { return true; },
-            [&](const PolyhedronShape& polyhedron) {
-                return std::ranges::equal(polyhedron.points(), std::get<PolyhedronShape>(b.shape).points());
-            }},
-        a.shape);
-}
-
 bool same_static_body(const BodyDescription& a, const BodyDescription& b) {
-    return !a.mass && !b.mass && same_shape(a, b) && a.position == b.position &&
+    return !a.mass && !b.mass && a.shape == b.shape && a.position == b.position &&
            a.orientation.coeffs() == b.orientation.coeffs() && a.friction == b.friction &&
            a.restitution == b.restitution && a.surface_velocity == b.surface_velocity &&
            a.surface_from == b.surface_from && a.material == b.material && a.group.empty() && b.group.empty();

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <numbers>
 
 namespace pushfactor::demos {
@@ -18,7 +17,7 @@ double read_length(const JsonReader& json) {
     return json.number(engine::least_length, engine::greatest_length);
 }
 
-decltype(BodyDescription::shape) read_shape(const JsonReader& body) {
+BodyShape read_shape(const JsonReader& body) {
     const JsonReader shape = body.at("shape");
     const std::string name = shape.string();
     if (name == "plane") return PlaneShape{};
@@ -33,27 +32,17 @@ decltype(BodyDescription::shape) read_shape(const JsonReader& body) {
 
 // A key that would be ignored is refused: it was meant for something.
 void refuse_foreign_keys(const JsonReader& json, const BodyDescription& body, bool fixed) {
+    static const std::array<std::pair<Keys, const char*>, std::variant_size_v<BodyShape>> by_shape{{
+        {{"radius_m", "points_m", "obj_file"}, "left out: a box has size_m"},
+        {{"size_m", "points_m", "obj_file"}, "left out: a sphere has radius_m"},
+        {{"size_m", "radius_m", "points_m", "obj_file"}, "left out: a plane has no size"},
+        {{"size_m", "radius_m"}, "left out: a polyhedron has points_m or obj_file"},
+    }};
+    const auto& [foreign, why] = by_shape[body.shape.index()];
+    refuse_if_given(json, foreign, why);
     const bool plane = std::holds_alternative<PlaneShape>(body.shape);
-    std::visit(
-        engine::Overloaded{
-            [&](const BoxShape&) {
-                refuse_if_given(json, {"radius_m", "points_m", "obj_file"}, "left out: a box has size_m");
-            },
-            [&](const SphereShape&) {
-                refuse_if_given(json, {"size_m", "points_m", "obj_file"}, "left out: a sphere has radius_m");
-            },
-            [&](const PlaneShape&) {
-                refuse_if_given(json, {"size_m", "radius_m", "points_m", "obj_file"},
-                                "left out: a plane has no size");
-            },
-            [&](const PolyhedronShape&) {
-                refuse_if_given(json, {"size_m", "radius_m"}, "left out: a polyhedron has points_m or obj_file");
-            }},
-        body.shape);
     if (plane) refuse_if_given(json, {"mass_kg", "density_kg_per_m3"}, "left out: a plane is static");
-    if (json.has("mass_kg")) {
-        refuse_if_given(json, {"density_kg_per_m3"}, "left out where mass_kg is given");
-    }
+    if (json.has("mass_kg")) refuse_if_given(json, {"density_kg_per_m3"}, "left out where mass_kg is given");
     if (plane || fixed) {
         refuse_if_given(
             json,
@@ -61,11 +50,9 @@ void refuse_foreign_keys(const JsonReader& json, const BodyDescription& body, bo
              "angular_velocity_rad_per_s", "linear_momentum_kg_m_per_s", "angular_momentum_kg_m2_per_s"},
             "left out of a static body");
     }
-    if (json.has("linear_momentum_kg_m_per_s")) {
-        refuse_if_given(json, {"velocity_m_per_s"}, "left out where the momentum is given");
-    }
-    if (json.has("angular_momentum_kg_m2_per_s")) {
-        refuse_if_given(json, {"angular_velocity_rad_per_s"}, "left out where the momentum is given");
+    for (const auto& [momentum, speed] : {std::pair{"linear_momentum_kg_m_per_s", "velocity_m_per_s"},
+                                          {"angular_momentum_kg_m2_per_s", "angular_velocity_rad_per_s"}}) {
+        if (json.has(momentum)) refuse_if_given(json, {speed}, "left out where the momentum is given");
     }
 }
 

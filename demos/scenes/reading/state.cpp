@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <tuple>
 
 namespace pushfactor::demos {
 
@@ -103,10 +102,6 @@ Json angles_json(const std::vector<double>& angles) {
     return json;
 }
 
-bool is_any_known(const std::vector<double>& angles) {
-    return std::ranges::any_of(angles, [](double angle) { return !std::isnan(angle); });
-}
-
 std::uint32_t read_feature(const JsonReader& json) {
     return static_cast<std::uint32_t>(whole_number(json, 0.0, std::numeric_limits<std::uint32_t>::max()));
 }
@@ -138,8 +133,7 @@ void check_memory(const JsonReader& json) {
     if (json.has("force_rate_per_s")) json.at("force_rate_per_s").number(0.0, 1e300);
 }
 
-void check_warm_start(const JsonReader& json, const SceneDescription& scene) {
-    const BodyIndex indices(scene);
+void check_warm_start(const JsonReader& json, const BodyIndex& indices) {
     for (const JsonReader& entry : json.elements()) {
         entry.require_object(warm_start_keys);
         check_memory(entry);
@@ -188,8 +182,8 @@ const Keys& all_state_keys() {
     return keys;
 }
 
-std::vector<Rest::Memory> read_places(const JsonReader& json, const SceneDescription& scene) {
-    const BodyIndex indices(scene);
+std::vector<Rest::Memory> read_places(const JsonReader& json, const SceneDescription& scene,
+                                      const BodyIndex& indices) {
     std::vector<Rest::Memory> memory(scene.bodies.size());
     for (const JsonReader& entry : json.elements()) {
         const auto place = read_object<Place>(entry);
@@ -213,8 +207,8 @@ bool moves(const BodyDescription& body) {
 }
 
 // Groups of bodies that came to rest together.
-void read_at_rest(const JsonReader& json, const SceneDescription& scene, std::vector<Rest::Memory>& memory) {
-    const BodyIndex indices(scene);
+void read_at_rest(const JsonReader& json, const SceneDescription& scene, const BodyIndex& indices,
+                  std::vector<Rest::Memory>& memory) {
     memory.resize(scene.bodies.size());
     for (const JsonReader& group : json.elements()) {
         int first = -1;
@@ -229,8 +223,7 @@ void read_at_rest(const JsonReader& json, const SceneDescription& scene, std::ve
     }
 }
 
-ContactCache read_contact_forces(const JsonReader& json, const SceneDescription& scene) {
-    const BodyIndex indices(scene);
+ContactCache read_contact_forces(const JsonReader& json, const BodyIndex& indices) {
     ContactCache cache;
     for (const JsonReader& entry : json.elements()) {
         const auto contact = read_object<Contact>(entry);
@@ -298,24 +291,23 @@ KeysByObject state_keys() {
 
 RunState read_state(const JsonReader& json, const SceneDescription& scene) {
     auto state = read_object<RunState>(json, all_state_keys());
+    const BodyIndex indices(scene);
     check_memory(json);
-    if (json.has("warm_start")) check_warm_start(json.at("warm_start"), scene);
+    if (json.has("warm_start")) check_warm_start(json.at("warm_start"), indices);
     state.distance_forces.resize(scene.distances.size());
     if (json.has("distance_forces_n")) {
         state.distance_forces = read_distance_forces(json.at("distance_forces_n"), scene);
     }
     state.joint_forces.resize(scene.joints.size());
-    if (json.has("joint_forces_n")) {
-        state.joint_forces = read_joint_forces(json.at("joint_forces_n"), scene);
-    }
+    if (json.has("joint_forces_n")) state.joint_forces = read_joint_forces(json.at("joint_forces_n"), scene);
     if (json.has("joint_angles_rad")) {
         const std::size_t count = scene.joints.size();
         state.joint_angles =
             json.at("joint_angles_rad").numbers(count, fmt::format("an array of {} angles, one a joint", count));
     }
-    if (json.has("contact_forces")) state.contact_forces = read_contact_forces(json.at("contact_forces"), scene);
-    if (json.has("places")) state.rest = read_places(json.at("places"), scene);
-    if (json.has("at_rest")) read_at_rest(json.at("at_rest"), scene, state.rest);
+    if (json.has("contact_forces")) state.contact_forces = read_contact_forces(json.at("contact_forces"), indices);
+    if (json.has("places")) state.rest = read_places(json.at("places"), scene, indices);
+    if (json.has("at_rest")) read_at_rest(json.at("at_rest"), scene, indices, state.rest);
     return state;
 }
 
@@ -330,7 +322,8 @@ Json state_json(const RunState& state, const SceneDescription& scene) {
         for (std::size_t j = 0; j < rows_of(scene.joints[i]); ++j)
             rows.push_back(to_json(state.joint_forces[i][j]));
     }
-    if (is_any_known(state.joint_angles)) json["joint_angles_rad"] = angles_json(state.joint_angles);
+    const bool knows_angles = std::ranges::any_of(state.joint_angles, [](double a) { return !std::isnan(a); });
+    if (knows_angles) json["joint_angles_rad"] = angles_json(state.joint_angles);
     for (const ContactCache::Entry& entry : state.contact_forces.entries()) {
         json["contact_forces"].push_back(contact_json(entry, state.contact_forces, scene));
     }
