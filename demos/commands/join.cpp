@@ -44,7 +44,8 @@ Sequence film_of(const std::vector<std::string>& folders, std::string& mark) {
 std::vector<fs::path> files_of(const Sequence& film, const std::vector<std::string>& folders) {
     std::vector<fs::path> files;
     std::vector<std::string> missing;
-    for (const Frame& frame : film.frames.front()) {
+    for (std::size_t i = 0; i < film.frame_count(); ++i) {
+        const Frame frame = film.frames.front()[i];
         const auto found = std::ranges::find_if(
             folders, [&](const std::string& folder) { return fs::exists(fs::path(folder) / frame.name); });
         if (found == folders.end()) {

@@ -69,35 +69,11 @@ class Frames {
     Frames(long every, std::size_t size) : every_(every), size_(size) {}  // one each `every` steps, from the start
 
     std::size_t size() const { return size_; }
-    bool empty() const { return size_ == 0; }
     bool are_stills() const { return !stills_.empty(); }
     Frame operator[](std::size_t n) const;
     long every() const { return every_; }  // steps per frame of a film
-    Frame front() const { return (*this)[0]; }
     Frame back() const { return (*this)[size_ - 1]; }
     bool has(std::string_view name) const;
-
-    class Iterator {
-      public:
-        using difference_type = std::ptrdiff_t;
-        using value_type = Frame;
-
-        Iterator() = default;
-        Iterator(const Frames* frames, std::size_t at) : frames_(frames), at_(at) {}
-        Frame operator*() const { return (*frames_)[at_]; }
-        Iterator& operator++() {
-            ++at_;
-            return *this;
-        }
-        Iterator operator++(int) { return {frames_, at_++}; }
-        bool operator==(const Iterator&) const = default;
-
-      private:
-        const Frames* frames_ = nullptr;
-        std::size_t at_ = 0;
-    };
-    Iterator begin() const { return {this, 0}; }
-    Iterator end() const { return {this, size_}; }
 
   private:
     std::vector<Frame> stills_;

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 
 namespace pushfactor::demos {
 
@@ -83,7 +84,8 @@ std::string solver_names() {
     return fmt::format("{}", fmt::join(names_of(engine::solvers::solver_table()), ", "));
 }
 
-// The options below that are a number or a word; `field` returns the member that they set.
+// The options below that are a number or a word; `field` is the member that they set, or a function that returns
+// it.
 
 // From `low` to `high`; `what` it is.
 template <typename Field>
@@ -92,11 +94,11 @@ SimulationOption number(const char* name, const char* placeholder, const char* h
     const auto set = [=](Settings& settings, std::string_view text) {
         const auto value = parse_number(text);
         if (!value || *value < low || *value > high) return false;
-        field(settings) = *value;
+        std::invoke(field, settings) = *value;
         return true;
     };
     const auto get = [=](const Settings& settings) {
-        const std::optional<double> value = field(settings);
+        const std::optional<double> value = std::invoke(field, settings);
         return value ? to_text(*value) : "";
     };
     return {{name, placeholder, help, fmt::format("{} from {} to {}", what, low, high), set, get}};
@@ -106,17 +108,16 @@ SimulationOption number(const char* name, const char* placeholder, const char* h
 template <typename Value, typename Field>
 SimulationOption word(const char* name, const char* placeholder, const char* help,
                       const std::vector<std::pair<std::string_view, Value>>& words, Field field) {
+    using Word = std::pair<std::string_view, Value>;
     std::vector<std::string_view> texts;
-    for (const auto& entry : words) texts.push_back(entry.first);
+    for (const Word& entry : words) texts.push_back(entry.first);
     const auto set = [=](Settings& settings, std::string_view text) {
-        for (const auto& [word, value] : words) {
-            if (word == text) field(settings) = value;
-        }
-        return std::any_of(words.begin(), words.end(), [&](const auto& entry) { return entry.first == text; });
+        const auto found = std::ranges::find(words, text, &Word::first);
+        if (found != words.end()) std::invoke(field, settings) = found->second;
+        return found != words.end();
     };
     const auto get = [=](const Settings& settings) {
-        const auto is_set = [&](const auto& entry) { return entry.second == field(settings); };
-        return std::string(std::find_if(words.begin(), words.end(), is_set)->first);
+        return std::string(std::ranges::find(words, std::invoke(field, settings), &Word::second)->first);
     };
     return {{name, placeholder, help, fmt::format("one of {}", fmt::join(texts, ", ")), set, get}};
 }
@@ -156,18 +157,17 @@ const std::array simulation_table{
          "residual in m/s: cached forces are kept up to HIGH, a solve stops at LOW; 0: always all iterations",
          "HIGH or HIGH/LOW in m/s with 0 <= LOW <= HIGH <= 1", set_tolerance,
          [](const Settings& s) { return to_text(s.tolerance_high) + "/" + to_text(s.tolerance_low); }}},
-    word<Scheme>(
-        "scheme", "NAME",
-        "how a step is integrated: whole (3.2); small-steps (many per step for islands without an "
-        "exact solution); auto (small-steps with solver auto); rattle, rattle4, rattle6 (order 2, 4, "
-        "6, for scenes of bars without contacts; --distance-push and --distance-beta have no effect)",
-        {{"auto", Scheme::automatic},
-         {"whole", Scheme::whole},
-         {"small-steps", Scheme::small_steps},
-         {"rattle", Scheme::rattle},
-         {"rattle4", Scheme::rattle4},
-         {"rattle6", Scheme::rattle6}},
-        [](auto& s) -> auto& { return s.scheme; }),
+    word<Scheme>("scheme", "NAME",
+                 "how a step is integrated: whole (3.2); small-steps (many per step for islands without an "
+                 "exact solution); auto (small-steps with solver auto); rattle, rattle4, rattle6 (order 2, 4, "
+                 "6, for scenes of bars without contacts; --distance-push and --distance-beta have no effect)",
+                 {{"auto", Scheme::automatic},
+                  {"whole", Scheme::whole},
+                  {"small-steps", Scheme::small_steps},
+                  {"rattle", Scheme::rattle},
+                  {"rattle4", Scheme::rattle4},
+                  {"rattle6", Scheme::rattle6}},
+                 &Settings::scheme),
     SimulationOption{
         {"small-steps", "NxK",
          "N small steps with at least K sweeps per solve; auto: 16, or 8 where more than 2 % of the bodies move",
@@ -200,50 +200,41 @@ const std::array simulation_table{
     number(
         "distance-beta", "X", "share of the length error that one step corrects", 0, 1,
         [](auto& s) -> auto& { return s.distances.beta; }),
-    either(
-        "warm-start", "on|off", "contact caching: start from the forces of the previous step", "on", "off",
-        [](auto& s) -> auto& { return s.warm_start; }),
-    number(
-        "slop", "F", "penetration that is not corrected, fraction of the body's size", 0, 0.5,
-        [](auto& s) -> auto& { return s.slop; }, "a fraction of the body's size"),
-    number(
-        "margin", "F",
-        "gap up to which a point counts as contact, fraction of the body's size; bodies that move by "
-        "more in a step get continuous collision detection; 0: neither",
-        0, 1, [](auto& s) -> auto& { return s.margin; }, "a fraction of the body's size"),
-    word<RowOrder>(
-        "row-order", "NAME", "order of the rows: bottom-up, reverse, creation, normals-first",
-        {{"bottom-up", RowOrder::bottom_up},
-         {"reverse", RowOrder::reverse},
-         {"creation", RowOrder::creation},
-         {"normals-first", RowOrder::normals_first}},
-        [](auto& s) -> auto& { return s.row_order; }),
-    either(
-        "manifold-points", "4|8", "contact points kept per pair of faces", "4", "8",
-        [](auto& s) -> auto& { return s.four_points; }),
-    number(
-        "friction", "MU", "friction coefficient of all bodies; 0: no friction rows [the scene's own]", 0, 100,
-        [](auto& s) -> auto& { return s.friction; }),
+    either("warm-start", "on|off", "contact caching: start from the forces of the previous step", "on", "off",
+           &Settings::warm_start),
+    number("slop", "F", "penetration that is not corrected, fraction of the body's size", 0, 0.5, &Settings::slop,
+           "a fraction of the body's size"),
+    number("margin", "F",
+           "gap up to which a point counts as contact, fraction of the body's size; bodies that move by "
+           "more in a step get continuous collision detection; 0: neither",
+           0, 1, &Settings::margin, "a fraction of the body's size"),
+    word<RowOrder>("row-order", "NAME", "order of the rows: bottom-up, reverse, creation, normals-first",
+                   {{"bottom-up", RowOrder::bottom_up},
+                    {"reverse", RowOrder::reverse},
+                    {"creation", RowOrder::creation},
+                    {"normals-first", RowOrder::normals_first}},
+                   &Settings::row_order),
+    either("manifold-points", "4|8", "contact points kept per pair of faces", "4", "8", &Settings::four_points),
+    number("friction", "MU", "friction coefficient of all bodies; 0: no friction rows [the scene's own]", 0, 100,
+           &Settings::friction),
     word<FrictionModel>(
         "friction-model", "NAME", "bound of friction: paper (weight), coulomb (normal force, square) or cone",
         {{"paper", FrictionModel::paper}, {"coulomb", FrictionModel::coulomb}, {"cone", FrictionModel::cone}},
-        [](auto& s) -> auto& { return s.friction_model; }),
-    number(
-        "restitution", "E", "coefficient of restitution of all bodies [the scene's own]", 0, 1,
-        [](auto& s) -> auto& { return s.restitution; }),
+        &Settings::friction_model),
+    number("restitution", "E", "coefficient of restitution of all bodies [the scene's own]", 0, 1,
+           &Settings::restitution),
     word<RestitutionModel>(
         "restitution-model", "NAME", "sum (8.2: rebound added to the push) or larger (each impact at its time)",
-        {{"sum", RestitutionModel::sum}, {"larger", RestitutionModel::larger}},
-        [](auto& s) -> auto& { return s.restitution_model; }),
+        {{"sum", RestitutionModel::sum}, {"larger", RestitutionModel::larger}}, &Settings::restitution_model),
     word<StartKick>(
         "start-kick", "on|off|auto",
         "initial momenta shifted back by half a step (second order); auto: without contacts and from rest",
         {{"on", StartKick::on}, {"off", StartKick::off}, {"auto", StartKick::where_it_fits}},
-        [](auto& s) -> auto& { return s.start_kick; }),
+        &Settings::start_kick),
     word<Rotation>(
         "rotation", "NAME", "orientation step: paper (3.2.4), exponential (12.4.1), splitting",
         {{"paper", Rotation::paper}, {"exponential", Rotation::exponential}, {"splitting", Rotation::splitting}},
-        [](auto& s) -> auto& { return s.rotation; }),
+        &Settings::rotation),
     SimulationOption{
         {"measured", "FILE",
          "poses that were measured, as --trajectory writes them: their bodies are drawn too, in ivory, "
@@ -263,11 +254,10 @@ const std::array simulation_table{
                           return t == "all" || take(s.threads, parse_integer(t), 1, 256);
                       },
                       [](const Settings& s) { return s.threads == 0 ? "all" : std::to_string(s.threads); }}},
-    either(
-        "rest", "on|off",
-        "sleeping: skip bodies that stand in equilibrium for half a second until something wakes "
-        "them; no effect in RATTLE steps",
-        "on", "off", [](auto& s) -> auto& { return s.rest; }),
+    either("rest", "on|off",
+           "sleeping: skip bodies that stand in equilibrium for half a second until something wakes "
+           "them; no effect in RATTLE steps",
+           "on", "off", &Settings::rest),
 };
 
 }  // namespace

@@ -44,10 +44,6 @@ double distance_to_way(const Vector3& point, const Vector3& from, const Vector3&
 
 }  // namespace
 
-Obstacles::Obstacles(const BuiltScene& scene) {
-    list(scene);
-}
-
 void Obstacles::follow(const BuiltScene& scene) {
     if (!scene.world.moves_any()) return;
     const std::vector<Obstacle> before = std::exchange(all_, {});

@@ -9,7 +9,7 @@ namespace pushfactor::demos {
 
 class Obstacles {
   public:
-    explicit Obstacles(const BuiltScene& scene);
+    explicit Obstacles(const BuiltScene& scene) { list(scene); }
     // After each step, if any body has a path.
     void follow(const BuiltScene& scene);
 

@@ -30,6 +30,7 @@ struct BuiltScene {
     std::vector<engine::collision::Pair> no_contacts;  // bodies that do not touch, beside those of groups (a < b)
 
     std::optional<double> parts_before{};  // of a resumed run
+    std::optional<int> static_body{};      // of the world, for what hangs on "world"; made when it is needed first
 
     std::vector<BodyDescription> bodies;  // as described, in the order of the world's first bodies
     View view;

@@ -201,9 +201,8 @@ BuiltScene build_scene(const SceneDescription& description, const Settings& sett
     require_finite(scene);
     add_paths(scene, description);
     add_forces(scene, description);
-    std::optional<int> world;
-    add_distances(scene, description, settings, world);
-    add_joints(scene, description, settings, world);
+    add_distances(scene, description, settings);
+    add_joints(scene, description, settings);
     add_contacts(scene, description, settings);
     add_solver(scene, settings);
     scene.world.rotate = orientation_step(settings);

@@ -12,13 +12,12 @@ namespace {
 using engine::Body;
 using engine::Vector3;
 
-// Index of the static body that represents the world; created on first use.
-int world_body(BuiltScene& scene, std::optional<int>& known) {
-    if (!known) {
-        known = static_cast<int>(scene.world.bodies.size());
+int index_of_static_body(BuiltScene& scene) {
+    if (!scene.static_body) {
+        scene.static_body = static_cast<int>(scene.world.bodies.size());
         scene.world.bodies.push_back(engine::static_body(Vector3::Zero()));
     }
-    return *known;
+    return *scene.static_body;
 }
 
 // Without a length it is what it is at the start, and a ball joint where the points are meant to be one: a number
@@ -37,22 +36,25 @@ double length_of(const DistanceDescription& described, const engine::Distance& d
 }
 
 // Length 0 has no direction to pull, push or limit a force along.
-void require_joint_without_bounds(const DistanceDescription& described) {
-    if (described.spring) {
-        throw engine::InvalidInput("length of the spring between " + described.a.body + " and " + described.b.body,
-                                   "0", "above 0, as a spring of no length has no direction");
+void require_length(const DistanceDescription& described, const engine::Distance& distance) {
+    const auto refuse = [&](const std::string& what, const char* length, const char* allowed) {
+        throw engine::InvalidInput(
+            "length of the " + what + " between " + described.a.body + " and " + described.b.body, length, allowed);
+    };
+    if (!std::isfinite(distance.length)) refuse("distance", "beyond 1e308", "finite");
+    if (!is_ball_joint(distance)) return;
+    if (described.spring) refuse("spring", "0", "above 0, as a spring of no length has no direction");
+    if (described.acts != engine::Distance::Acts::both || described.max_force) {
+        refuse("distance", "0", "above 0, or it is a ball joint, which acts both ways and without max_force_n");
     }
-    if (described.acts == engine::Distance::Acts::both && !described.max_force) return;
-    throw engine::InvalidInput("length of the distance between " + described.a.body + " and " + described.b.body,
-                               "0", "above 0, or it is a ball joint, which acts both ways and without max_force_n");
 }
 
 // Sets bodies and points of a distance or a joint; at least one of the bodies must be movable.
 template <typename Described, typename Held>
 void join(BuiltScene& scene, const SceneDescription& description, const Described& described, const char* what,
-          std::optional<int>& world, Held& held) {
+          Held& held) {
     const auto body_index = [&](const std::string& name) {
-        return name == "world" ? world_body(scene, world) : index_of(name, description);
+        return name == "world" ? index_of_static_body(scene) : index_of(name, description);
     };
     held.body_a = body_index(described.a.body);
     held.body_b = body_index(described.b.body);
@@ -93,20 +95,14 @@ void find_loops(const BuiltScene& scene, std::vector<engine::Joint>& joints) {
 
 }  // namespace
 
-void add_distances(BuiltScene& scene, const SceneDescription& description, const Settings& settings,
-                   std::optional<int>& world) {
+void add_distances(BuiltScene& scene, const SceneDescription& description, const Settings& settings) {
     if (description.distances.empty()) return;
     std::vector<engine::Distance> distances;
     for (const DistanceDescription& described : description.distances) {
         engine::Distance distance;
-        join(scene, description, described, "distance", world, distance);
+        join(scene, description, described, "distance", distance);
         distance.length = length_of(described, distance, scene.world.bodies);
-        if (!std::isfinite(distance.length)) {
-            throw engine::InvalidInput(
-                "length of the distance between " + described.a.body + " and " + described.b.body, "beyond 1e308",
-                "finite");
-        }
-        if (is_ball_joint(distance)) require_joint_without_bounds(described);
+        require_length(described, distance);
         distance.acts = described.acts;
         if (described.max_force) distance.max_force = *described.max_force;
         distance.spring = described.spring;
@@ -120,13 +116,12 @@ void add_distances(BuiltScene& scene, const SceneDescription& description, const
     scene.world.constraints.push_back(std::move(source));
 }
 
-void add_joints(BuiltScene& scene, const SceneDescription& description, const Settings& settings,
-                std::optional<int>& world) {
+void add_joints(BuiltScene& scene, const SceneDescription& description, const Settings& settings) {
     if (description.joints.empty()) return;
     std::vector<engine::Joint> joints;
     for (const JointDescription& described : description.joints) {
         engine::Joint& joint = joints.emplace_back();
-        join(scene, description, described, "joint", world, joint);
+        join(scene, description, described, "joint", joint);
         if (!described.hinge) continue;
         const auto& bodies = scene.world.bodies;
         joint.hinge = make_hinge(*described.hinge, bodies[static_cast<std::size_t>(joint.body_a)],

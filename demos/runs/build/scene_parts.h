@@ -3,7 +3,6 @@
 
 #include "demos/runs/scene.h"
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,12 +11,9 @@ namespace pushfactor::demos {
 // Index of a body of the scene. Throws engine::InvalidInput for an unknown name.
 int index_of(const std::string& name, const SceneDescription& description);
 
-// Each adds nothing if the description has none. `world` is the index of the static body that represents the world,
-// which is added when it is needed first.
-void add_distances(BuiltScene& scene, const SceneDescription& description, const Settings& settings,
-                   std::optional<int>& world);
-void add_joints(BuiltScene& scene, const SceneDescription& description, const Settings& settings,
-                std::optional<int>& world);
+// Each adds nothing if the description has none.
+void add_distances(BuiltScene& scene, const SceneDescription& description, const Settings& settings);
+void add_joints(BuiltScene& scene, const SceneDescription& description, const Settings& settings);
 
 // By body, a number that movable ones have in common which joints and bars connect, but not through static ones:
 // what lies on the ground must not sink. Empty without joints.
