@@ -138,29 +138,30 @@ std::string reference_text() {
     return text;
 }
 
+namespace {
+
+// What is printed instead of carrying out a command.
+std::optional<std::string> information(const std::vector<Entry>& entries, const std::vector<std::string>& words) {
+    if (asks_for_help(words.front())) return help_of_program(entries);
+    if (words.front() == "--version") return "pushfactor " + version_text() + "\n";
+    if (words.front() == "--reference") return reference_text();
+    const Entry& entry = find_entry(entries, words.front());
+    const bool asks = std::any_of(words.begin(), std::ranges::find(words, "--"), asks_for_help);
+    return asks ? std::optional(help_of_command(entry)) : std::nullopt;
+}
+
+}  // namespace
+
 std::optional<CommandLine> parse_command_line(const std::vector<std::string>& words) {
     const std::vector<Entry> entries = command_entries();
     if (words.empty()) {
         throw UsageError("a command is missing: one of {} (see --help)", fmt::join(names_of(entries), ", "));
     }
-    if (asks_for_help(words.front())) {
-        print(help_of_program(entries));
-        return std::nullopt;
-    }
-    if (words.front() == "--version") {
-        print("pushfactor " + version_text() + "\n");
-        return std::nullopt;
-    }
-    if (words.front() == "--reference") {
-        print(reference_text());
+    if (const auto text = information(entries, words)) {
+        print(*text);
         return std::nullopt;
     }
     const Entry& entry = find_entry(entries, words.front());
-    const auto end = std::ranges::find(words, "--");
-    if (std::any_of(words.begin(), end, asks_for_help)) {
-        print(help_of_command(entry));
-        return std::nullopt;
-    }
     Words given(entry.name, entry.options(), {words.begin() + 1, words.end()});
     CommandLine line{.command = entry.read(given), .outputs = {}, .folders = {}};
     given.refuse_rest(entry.name);

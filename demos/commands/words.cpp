@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <sstream>
 #include <stdexcept>
 
 namespace pushfactor::demos {
@@ -38,17 +39,15 @@ std::string wrapped(const std::string& text, std::size_t indent) {
     constexpr std::size_t width = 100;
     std::string lines;
     std::size_t column = indent;
-    for (std::size_t begin = 0; begin < text.size();) {
-        const std::size_t end = std::min(text.find(' ', begin), text.size());
-        const std::string word = text.substr(begin, end - begin);
+    std::istringstream words(text);
+    for (std::string word; words >> word;) {
         if (column > indent && column + 1 + word.size() > width) {
             lines += "\n" + std::string(indent, ' ');
             column = indent;
         }
-        if (column > indent) lines += ' ';
-        column += word.size() + (column > indent ? 1 : 0);
+        if (column > indent) word.insert(0, " ");
+        column += word.size();
         lines += word;
-        begin = end + 1;
     }
     return lines;
 }
@@ -132,10 +131,6 @@ const Option& Words::known(std::string_view option) const {
     const auto found = std::ranges::find(known_, option, &Option::name);
     if (found == known_.end()) throw std::logic_error(fmt::format("--{} is in no table of options", option));
     return *found;
-}
-
-bool Words::given(std::string_view option) const {
-    return given_.contains(option);
 }
 
 std::optional<std::string> Words::peek(std::string_view option) const {

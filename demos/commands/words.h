@@ -40,7 +40,7 @@ class Words {
     // Throws UsageError for an option that is not in the table, a missing value, or an option given twice.
     Words(std::string command, std::vector<Option> known, std::vector<std::string> arguments);
 
-    bool given(std::string_view option) const;
+    bool given(std::string_view option) const { return given_.contains(option); }
 
     std::optional<std::string> peek(std::string_view option) const;  // the value, not taken
 

@@ -17,23 +17,14 @@ constexpr double cube = 0.4;    // m
 const FamilyParameter count{{"count", "N", "number of bodies", 0, 10, 5000, true}, Draw::by_decades};
 const FamilyParameter layers{{"layers", "N", "layers in which they start", 0, 2, 20, true}};
 
-// Places layer by layer, the lowest centre 0.6 m above the ground.
-class Places {
-  public:
-    explicit Places(const ParameterValues& values)
-        : across_(static_cast<int>(std::ceil(std::sqrt(values.number("count") / values.number("layers"))))) {}
-
-    Vector3 operator()(int i) const {
-        const double middle = 0.5 * (across_ - 1);
-        const int in_layer = i % (across_ * across_);
-        const int row = in_layer / across_;
-        const int layer = i / (across_ * across_);
-        return {(in_layer % across_ - middle) * pitch, 0.6 + layer * pitch, (row - middle) * pitch};
-    }
-
-  private:
-    int across_;
-};
+// Layer by layer, each of `across` times `across` bodies, the lowest centre 0.6 m above the ground.
+Vector3 place_of(int i, int across) {
+    const double middle = 0.5 * (across - 1);
+    const int in_layer = i % (across * across);
+    const int row = in_layer / across;
+    const int layer = i / (across * across);
+    return {(in_layer % across - middle) * pitch, 0.6 + layer * pitch, (row - middle) * pitch};
+}
 
 std::string name_of_body(int i) {
     return "body " + std::to_string(i + 1);
@@ -56,19 +47,20 @@ void add_mixed_box(SceneDescription& scene, int i, const Vector3& place, Random&
     add_body(scene, name_of_body(i), BoxShape{size}, mass, place).orientation = random_orientation(random);
 }
 
-Prospect dropped(SceneDescription scene, double rest_by) {
+// The last body is the highest; `speed` [m/s] is that at which it was thrown.
+Prospect dropped(SceneDescription scene, const ParameterValues& values, double speed = 0.0) {
     look_at_all(scene);
-    return {.scene = std::move(scene), .ends = Ends::rests, .rest_by = rest_by};
+    const double rests = rest_by(scene.bodies.back().position.y(), values.number("friction"), speed);
+    return {.scene = std::move(scene), .ends = Ends::rests, .rest_by = rests};
 }
 
 // A pile of bodies, each added by `add` at its place.
 template <typename Add>
 Prospect pile(const ParameterValues& values, const Add& add) {
     SceneDescription scene = on_ground(values);
-    const Places place(values);
-    const int bodies = values.whole("count");
-    for (int i = 0; i < bodies; ++i) add(scene, i, place(i));
-    return dropped(std::move(scene), rest_by(place(bodies - 1).y(), values.number("friction")));
+    const int across = static_cast<int>(std::ceil(std::sqrt(values.number("count") / values.number("layers"))));
+    for (int i = 0; i < values.whole("count"); ++i) add(scene, i, place_of(i, across));
+    return dropped(std::move(scene), values);
 }
 
 Prospect describe_cubes(const ParameterValues& values, Random& random) {
@@ -98,11 +90,8 @@ Prospect describe_mixed(const ParameterValues& values, Random& random) {
 // Cubes below, and rods thrown down from above.
 Prospect describe_rods(const ParameterValues& values, Random& random) {
     const double speed = values.number("speed");
-    SceneDescription scene = on_ground(values);
-    const Places place(values);
-    const int bodies = values.whole("count");
-    for (int i = 0; i < bodies; ++i) add_cube(scene, i, place(i), 1.0, random);
-    const double above = place(bodies - 1).y() + 1.0;
+    SceneDescription scene = describe_cubes(values, random).scene;
+    const double above = scene.bodies.back().position.y() + 1.0;
     for (int i = 0; i < values.whole("rods"); ++i) {
         const double length = random.in(0.5, 1.5);
         const double thickness = random.in(0.04, 0.1);
@@ -115,8 +104,7 @@ Prospect describe_rods(const ParameterValues& values, Random& random) {
         rod.orientation = turned(random.in(0.0, 6.0)) * inclined(slope);
         rod.velocity = Vector3(0, -speed, 0);
     }
-    const double height = scene.bodies.back().position.y();
-    return dropped(std::move(scene), rest_by(height, values.number("friction"), speed));
+    return dropped(std::move(scene), values, speed);
 }
 
 Prospect describe_plates(const ParameterValues& values, Random& random) {
