@@ -79,8 +79,10 @@ void leave_compressed(const Island& island, const Columns& lambda, double h, Sys
         const ConstraintRow& row = system.rows[static_cast<std::size_t>(j)];
         if (row.bounds.c_min < 0.0 || !holds_a_place(row) || !(row.push.correcting > 0.0)) return;
         const double compressed = system.diagonal[j] * lambda(j, last) * h * h / constants::small_steps::stiffness;
-        const double left = row.push.correcting - std::max(0.0, -row.error - compressed) / system.dt;
-        if (left > 0.0) system.b(j, 0) -= left / system.dt;
+        const double most = std::max(0.0, -row.error - compressed) / system.dt;
+        system.b(j, 0) = system.b(j, last) + std::min(row.push.correcting, most) / system.dt;
+        if (!system.detours.empty())
+            system.b(j, 0) -= acceleration_along(system, static_cast<std::size_t>(j), system.detours);
     });
 }
 

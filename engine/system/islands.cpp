@@ -13,11 +13,11 @@ namespace {
 
 constexpr std::size_t bodies_of_an_island_part = 200;  // per thread task
 
-// 2 if any row from `begin` up to `end` has different right-hand sides in the two columns, or is in one column
-// only.
+// 2 if any row from `begin` up to `end` corrects, or acts on bodies that were hit. Whatever is left of its push:
+// what other islands do may have them looked at again.
 int columns_of(int begin, int end, const SystemEquation& system) {
     for (int j = begin; j < end; ++j) {
-        if (system.b(j, 0) != system.b(j, 1) || system.digests[at(j)].has(RowDigest::not_in_momenta)) return 2;
+        if (system.digests[at(j)].has(RowDigest::corrects) || system.b(j, 0) != system.b(j, 1)) return 2;
     }
     return 1;
 }

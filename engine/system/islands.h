@@ -34,7 +34,7 @@ struct Island {
     int body_count = 0;           // including static ones
     int columns = 1;              // 2 if any row has a single-frame correction (8.1)
     bool follows_others = false;  // the bounds of some row follow a row of another run
-    std::uint8_t traits = 0;      // union over its rows (RowDigest)
+    std::uint16_t traits = 0;     // union over its rows (RowDigest)
 
     bool has(RowDigest::Trait trait) const { return (traits & trait) != 0; }
     int movable() const { return static_cast<int>(bodies.size()); }
@@ -97,8 +97,8 @@ class Islands {
         int movable;         // one of them, -1 if both are static
         bool joins;          // both are movable
         int columns = 1;
-        bool follows = false;     // see Island
-        std::uint8_t traits = 0;  // union over its rows
+        bool follows = false;      // see Island
+        std::uint16_t traits = 0;  // union over its rows
         friend bool operator==(const Found&, const Found&) = default;
     };
     struct Follower {

@@ -105,12 +105,17 @@ inline void weigh(std::size_t j, SystemEquation& system) {
     system.diagonal[index - 1] = system.diagonal[index] = step;
 }
 
+bool corrects(const ConstraintRow& row) {
+    return row.push.correcting != 0.0 || !row.bounds.in_momenta;
+}
+
 [[gnu::always_inline]] inline RowDigest digest_of(const SystemEquation& system, std::size_t j) {
     const std::span<const ConstraintRow> rows = system.rows;
     const ConstraintRow& row = rows[j];
     const Bounds& bounds = row.bounds;
     int traits = bounds.in_momenta ? 0 : RowDigest::not_in_momenta | RowDigest::limited;
     if (row.softness > 0.0) traits |= RowDigest::soft;
+    if (corrects(row)) traits |= RowDigest::corrects;
     if (row.label.kind == RowKind::joint) traits |= RowDigest::joins;
     const bool may_drive = row.label.kind == RowKind::friction || row.label.kind == RowKind::motor;
     if (may_drive && (row.push.lasting != 0.0 || system.carried_by(j) != 0.0)) traits |= RowDigest::drives;
@@ -130,7 +135,7 @@ inline void weigh(std::size_t j, SystemEquation& system) {
             traits |= RowDigest::rebounds;
         }
     }
-    return {row.body_a, row.body_b, row.label.kind, static_cast<std::uint8_t>(traits)};
+    return {row.body_a, row.body_b, row.label.kind, static_cast<std::uint16_t>(traits)};
 }
 
 // Keeps existing values.
@@ -139,10 +144,6 @@ void size_rows(SystemEquation& system) {
     system.digests.resize(system.rows.size());
     if (system.diagonal.size() == count) return;  // Eigen would reallocate all the same
     system.diagonal.conservativeResize(count);
-}
-
-bool corrects(const ConstraintRow& row) {
-    return row.push.correcting != 0.0 || !row.bounds.in_momenta;
 }
 
 }  // namespace

@@ -42,7 +42,7 @@ struct InverseMass {
 // Properties of a row that every step reads, in a compact array of their own: a cache line holds four of them,
 // while a ConstraintRow takes three lines.
 struct RowDigest {
-    enum Trait : std::uint8_t {
+    enum Trait : std::uint16_t {
         follows = 1,          // its bounds follow a row that may have other bodies
         acts_both_ways = 2,   // unbounded in both directions
         rebounds = 4,         // one-sided row with a lasting push of its own in its direction
@@ -51,11 +51,12 @@ struct RowDigest {
         limited = 32,         // its force has a bound of some kind
         soft = 64,            // has a softness
         joins = 128,          // of a joint
+        corrects = 256,       // in one column only, wholly or by its push
     };
 
     int body_a = 0, body_b = 0;
     RowKind kind = RowKind::contact;
-    std::uint8_t traits = 0;
+    std::uint16_t traits = 0;
 
     bool has(Trait trait) const { return (traits & trait) != 0; }
 };
