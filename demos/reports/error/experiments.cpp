@@ -174,7 +174,7 @@ std::vector<Experiment> error_experiments(bool quick) {
         "A cube of 1 t on one of 1 kg: the distance of their centres from where they must stand, in the last "
         "second. Solved exactly it is zero.",
         solvers(true));
-    add("brick_wall", "Wall: where the bricks stand", "", "2", "2", standing_error,
+    add("brick_wall", "Wall: where the bricks stand", "", "2", "1", standing_error,
         "distance from where it was built, RMS [m]",
         "A wall of twelve rows of bricks in bond stands where it was built: the distance of the centres from there "
         "in the last second. Sweeps of a whole step, against n small steps of one, two or four sweeps.",
