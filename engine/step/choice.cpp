@@ -101,7 +101,8 @@ Worth worth_of(double dt, std::span<const Body> bodies, const Island& island, st
     const double worth = lasts ? sweeps_that_last : standing ? std::min(sweeps, sweeps_that_last) : 0.0;
     const double of_sweep = 24.0 * island.columns * island.rows, of_sweeps = worth * of_sweep;
     const double most = most_work * std::max(1.0, island.movable() / bodies_of_limits);
-    const bool closed = island.has(RowDigest::joins) && island.has(RowDigest::soft);  // loops
+    // Loops; joints with springs count as such, too.
+    const bool closed = island.has(RowDigest::joins) && island.has(RowDigest::soft);
     const bool needs_it = !divided || closed || !limited;
     const double of_body = needs_it ? of_a_body : island.has(RowDigest::acts_both_ways) ? of_a_body_on_bars : 0.0;
     const bool passes = ratio <= 2.0 * steps;  // load, in the solves of so many small steps
