@@ -62,8 +62,8 @@ Simulation simulate(const SceneDescription& scene) {
 
 TEST_CASE("chains of rods that land with restitution gain no energy") {
     {
-        INFO("landing-rods.json");  // two impacts of the first rod in one step: 46.6 J if joints keep what flying
-                                    // gave them
+        // Two impacts of the first rod in one step: 46.6 J if joints keep what flying gave them.
+        INFO("landing-rods.json");
         const Settings settings = tests::awake_settings("default");
         const std::string file = PUSHFACTOR_SOURCE_DIR "/tests/scenes/landing-rods.json";
         tests::Run run(Simulation(build_scene(read_scene_file(file), settings), settings));
