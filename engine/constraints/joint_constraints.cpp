@@ -60,6 +60,12 @@ bool is_bounded(const ConstraintRow& row) {
     return row.bounds.c_min > -infinity || row.bounds.c_max < infinity;
 }
 
+// A motor without a largest torque turns as it should, and stops at its limit by itself: a row of the limit beside
+// its own would share one force with it in any way.
+bool has_limit_rows(const Hinge& hinge) {
+    return hinge.limits && !(hinge.motor && !hinge.motor->servo && std::isinf(hinge.motor->max_torque));
+}
+
 bool needs_angle(const Joint& joint) {
     return joint.hinge && (joint.hinge->limits || (joint.hinge->motor && joint.hinge->motor->servo));
 }
@@ -72,8 +78,11 @@ double angle_of(const Joint& joint, std::span<const Body> bodies) {
 
 std::size_t row_count(const Joint& joint) {
     if (!joint.hinge) return 3;
-    const auto& limits = joint.hinge->limits;
-    return 5u + (joint.hinge->motor ? 1 : 0) + (!limits ? 0 : limits->low < limits->high ? 2 : 1);
+    const Hinge& hinge = *joint.hinge;
+    return 5u + (hinge.motor ? 1 : 0) +
+           (!has_limit_rows(hinge)                   ? 0
+            : hinge.limits->low < hinge.limits->high ? 2
+                                                     : 1);
 }
 
 JointConstraints::JointConstraints(std::vector<Joint> joints, const Correction& correction, bool cached)
@@ -137,7 +146,7 @@ void JointConstraints::append_hinge(std::size_t index, const BodyPair& pair, dou
     const Vector3 axis = lever * (frame * hinge.axis);
     const double phi = needs_angle(joint) ? angle_near(index, pair) : 0.0;
     if (hinge.motor) append_motor(index, pair, dt, phi, rows);
-    if (!hinge.limits) return;
+    if (!has_limit_rows(hinge)) return;
     if (!(hinge.limits->low < hinge.limits->high)) {
         append(axis, RowKind::limit, lever * (phi - hinge.limits->low));
         push_held({rows.last(1), pair, lever, dt}, correction_, [&] { return rates_about(std::span(&axis, 1)); });

@@ -127,13 +127,13 @@ solvers::SolveCount IslandSolver::solve(Bench& bench, const solvers::Termination
     }
     solvers::SolveCount count;
     if (divides && island.columns == 2) {
-        const SmallSteps::Division division = bench.small_steps->division_of(system.dt, bodies, island);
+        const SmallSteps::Division division = bench.small_steps->division_of(system, bodies, island);
         leave_compressed(island, lambda, system.dt / division.steps, system);
     }
     const bool loops = has_loops(system, island);
     if (loops) shift_targets(island, lambda, 1.0, system);  // the last forces were found with targets like these
     outcome.residuals = measure(system, island, lambda, forces, bench);
-    if (!choice::will_do(larger(outcome.residuals), usual, bodies, island)) {
+    if (!choice::will_do(larger(outcome.residuals), usual, system, bodies, island)) {
         if (loops) {
             shift_targets(island, lambda, -1.0, system);
             outcome.residuals = measure(system, island, lambda, forces, bench);
@@ -141,7 +141,7 @@ solvers::SolveCount IslandSolver::solve(Bench& bench, const solvers::Termination
         solvers::Termination own = usual;
         const std::span<const double> residuals(outcome.residuals.data(), static_cast<std::size_t>(island.columns));
         const choice::Worth worth =
-            choice::worth_of(system.dt, bodies, island, residuals, has_forces(island, lambda), divides);
+            choice::worth_of(system, bodies, island, residuals, has_forces(island, lambda), divides, loops);
         own.worth = worth.multiply_adds;
         own.factorisations = worth.factorisations;
         own.at_least = worth.at_least;
@@ -187,7 +187,7 @@ solvers::SolveCount IslandSolver::take_small_steps(Bench& bench, const SystemEqu
                                                    const RowSources& sources, Columns& lambda,
                                                    ConstraintForces& forces, std::span<Lambda> ending) {
     SmallSteps& small_steps = *bench.small_steps;
-    const SmallSteps::Division division = small_steps.division_of(system.dt, bodies, island);
+    const SmallSteps::Division division = small_steps.division_of(system, bodies, island);
     const solvers::SolveCount count =
         small_steps.solve(system, bodies, island, division, sources, bench.threads, lambda, forces, ending);
     note(island, {.method = Method::in_small_steps, .residuals = {small_steps.residual(), small_steps.residual()}});

@@ -45,8 +45,9 @@ void SmallSteps::each_body(Team& team, const Visit& visit) const {
     });
 }
 
-SmallSteps::Division SmallSteps::division_of(double dt, std::span<const Body> bodies, const Island& island) const {
-    return division_ ? *division_ : choice::division_of(dt, bodies, island);
+SmallSteps::Division SmallSteps::division_of(const SystemEquation& system, std::span<const Body> bodies,
+                                             const Island& island) const {
+    return division_ ? *division_ : choice::division_of(system, bodies, island);
 }
 
 solvers::SolveCount SmallSteps::solve(const SystemEquation& system, std::span<const Body> bodies,

@@ -79,7 +79,7 @@ class SmallSteps {
     std::unique_ptr<SmallSteps> another() const { return std::make_unique<SmallSteps>(division_); }
 
     // The fixed division, or one suited to the island (choice.h).
-    Division division_of(double dt, std::span<const Body> bodies, const Island& island) const;
+    Division division_of(const SystemEquation& system, std::span<const Body> bodies, const Island& island) const;
 
     // Advances the island through the step of `system`, with the last column of `lambda` as warm start [N].
     // `lambda` receives the means over the step: with the push in the first column, without it in the last. Writes

@@ -130,10 +130,10 @@ bool corrects(const ConstraintRow& row) {
             traits |= RowDigest::follows;
     } else {
         const bool unlimited = bounds.c_min == -infinity && bounds.c_max == infinity;
+        const bool touches = row.label.kind == RowKind::contact;
         traits |= unlimited ? RowDigest::acts_both_ways : RowDigest::limited;
-        if ((bounds.c_min >= 0.0 && row.push.lasting > 0.0) || (bounds.c_max <= 0.0 && row.push.lasting < 0.0)) {
-            traits |= RowDigest::rebounds;
-        }
+        if (touches || (!unlimited && row.label.kind == RowKind::distance)) traits |= RowDigest::opens;
+        if (touches && row.push.lasting > 0.0) traits |= RowDigest::rebounds;
     }
     return {row.body_a, row.body_b, row.label.kind, static_cast<std::uint16_t>(traits)};
 }

@@ -45,13 +45,14 @@ struct RowDigest {
     enum Trait : std::uint16_t {
         follows = 1,          // its bounds follow a row that may have other bodies
         acts_both_ways = 2,   // unbounded in both directions
-        rebounds = 4,         // one-sided row with a lasting push of its own in its direction
+        rebounds = 4,         // contact that is left at a speed
         drives = 8,           // aims at a speed: friction on a belt or a moved body, or a motor
         not_in_momenta = 16,  // see Bounds
         limited = 32,         // its force has a bound of some kind
         soft = 64,            // has a softness
         joins = 128,          // of a joint
         corrects = 256,       // in one column only, wholly or by its push
+        opens = 512,          // a contact, or a bounded distance: no part of a mechanism
     };
 
     int body_a = 0, body_b = 0;
