@@ -38,45 +38,46 @@ std::string joined(const std::vector<std::string>& names) {
     return fmt::format("{}", fmt::join(names, " + "));
 }
 
-std::vector<Cell> line_of(const Entry& entry, bool everything) {
+// A line of cost.csv, by column.
+std::vector<std::pair<std::string, Cell>> line_of(const Entry& entry, bool everything) {
     const auto& [parts, bodies, counts, times, command] = everything ? entry.all : entry.own;
-    std::vector<Cell> line{entry.name,
-                           entry.start,
-                           everything ? "everything" : "as it is",
-                           bodies,
-                           joined(parts.forces),
-                           joined(parts.constraints),
-                           joined(parts.contacts),
-                           joined(parts.step_rules)};
-    for (const CountColumn& column : row_columns) line.emplace_back(counts.*column.value);
-    for (const IslandCounts& kind : counts.islands) {
-        line.insert(line.end(), kind.by_way.begin(), kind.by_way.end());
+    std::vector<std::pair<std::string, Cell>> line{{"scene", entry.name},
+                                                   {"start_s", entry.start},
+                                                   {"made", everything ? "everything" : "as it is"},
+                                                   {"bodies", bodies},
+                                                   {"force_sources", joined(parts.forces)},
+                                                   {"constraint_sources", joined(parts.constraints)},
+                                                   {"contact_rules", joined(parts.contacts)},
+                                                   {"step_rules", joined(parts.step_rules)}};
+    for (const CountColumn& column : row_columns) line.emplace_back(column.name, counts.*column.value);
+    for (std::size_t k = 0; k < island_kinds.size(); ++k) {
+        for (std::size_t w = 0; w < island_ways.size(); ++w)
+            line.emplace_back(fmt::format("{}_{}", island_kinds[k], island_ways[w]), counts.islands[k].by_way[w]);
     }
-    for (const CountColumn& column : work_columns) line.emplace_back(counts.*column.value);
-    line.emplace_back(thousandths(times.step));
+    for (const CountColumn& column : work_columns) line.emplace_back(column.name, counts.*column.value);
     const bool touches = counts.contact_rows > 0.0;
-    line.push_back(touches ? Cell(thousandths(times.step / counts.contact_rows)) : Cell());
-    line.push_back(touches && times.bytes ? Cell(std::round(*times.bytes / counts.contact_rows)) : Cell());
-    for (const double us : times.stages) line.emplace_back(thousandths(us));
-    line.emplace_back(command);
+    line.emplace_back("step_us", thousandths(times.step));
+    line.emplace_back("us_per_contact", touches ? Cell(thousandths(times.step / counts.contact_rows)) : Cell());
+    line.emplace_back("bytes_per_contact",
+                      touches && times.bytes ? Cell(std::round(*times.bytes / counts.contact_rows)) : Cell());
+    for (std::size_t i = 0; i < phase_names.size(); ++i)
+        line.emplace_back(fmt::format("{}_us", phase_names[i]), thousandths(times.stages[i]));
+    line.emplace_back("command", command);
     return line;
 }
 
 // A line per entry for the scene as it is, and if `both` another with everything.
 Table table_of(const std::vector<Entry>& entries, bool both) {
-    Table table{{"scene", "start_s", "made", "bodies", "force_sources", "constraint_sources", "contact_rules",
-                 "step_rules"}};
-    for (const CountColumn& column : row_columns) table.columns.emplace_back(column.name);
-    for (const std::string_view kind : island_kinds) {
-        for (const std::string_view way : island_ways) table.columns.push_back(fmt::format("{}_{}", kind, way));
-    }
-    for (const CountColumn& column : work_columns) table.columns.emplace_back(column.name);
-    table.columns.insert(table.columns.end(), {"step_us", "us_per_contact", "bytes_per_contact"});
-    for (const std::string_view stage : phase_names) table.columns.push_back(fmt::format("{}_us", stage));
-    table.columns.emplace_back("command");
+    Table table;
     for (const Entry& entry : entries) {
-        table.rows.push_back(line_of(entry, false));
-        if (both) table.rows.push_back(line_of(entry, true));
+        for (const bool everything : both ? std::vector{false, true} : std::vector{false}) {
+            table.columns.clear();
+            std::vector<Cell>& row = table.rows.emplace_back();
+            for (const auto& [column, cell] : line_of(entry, everything)) {
+                table.columns.push_back(column);
+                row.push_back(cell);
+            }
+        }
     }
     return table;
 }
@@ -201,6 +202,22 @@ class CostReport {
     void show() {
         run_.count_run();
         run_.sections.clear();
+        if (!entries_.empty()) add_ledger();
+        if (!sums_.empty()) {
+            add(side_by_side, "A world costs the sum of its parts",
+                "Scenes too far apart to touch, in one world: mean number of islands, CPU time and multiply-adds "
+                "of the solver per step, as the sum of the parts alone and together, and how far the first part is "
+                "from its place when alone. The scenes are in side-by-side/.",
+                page_lines(sums_of(sums_)));
+            run_.sections.back().content.files = {"side_by_side.csv"};
+        }
+        run_.write_page(fmt::format(
+            "A part that a scene does not need is absent, and costs nothing. Counts are the same in every run; CPU "
+            "times were measured on {}. The numbers are in cost.csv, the scenes with everything in everything.{}",
+            run_.machine(), run_.quick() ? " This is the quick report: small scenes." : ""));
+    }
+
+    void add_ledger() {
         const Table own = table_of(entries_, false);
         add("parts", "Parts of each scene", "A part that is not named here is absent.",
             page_lines(own,
@@ -225,19 +242,6 @@ class CostReport {
             "The same scene with every part there is: a poke, a distance, contacts with friction, restitution, "
             "sweep and cache, two columns in each step, and rules that may divide it.",
             page_lines(comparison_of(entries_)), "cost_everything", times_of(entries_));
-        if (entries_.empty()) run_.sections.clear();
-        if (!sums_.empty()) {
-            add(side_by_side, "A world costs the sum of its parts",
-                "Scenes too far apart to touch, in one world: mean number of islands, CPU time and multiply-adds "
-                "of the solver per step, as the sum of the parts alone and together, and how far the first part is "
-                "from its place when alone. The scenes are in side-by-side/.",
-                page_lines(sums_of(sums_)));
-            run_.sections.back().content.files = {"side_by_side.csv"};
-        }
-        run_.write_page(fmt::format(
-            "A part that a scene does not need is absent, and costs nothing. Counts are the same in every run; CPU "
-            "times were measured on {}. The numbers are in cost.csv, the scenes with everything in everything.{}",
-            run_.machine(), run_.quick() ? " This is the quick report: small scenes." : ""));
     }
 
     void add(const char* name, const char* heading, const char* caption,

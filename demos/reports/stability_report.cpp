@@ -49,14 +49,6 @@ Eigen::AlignedBox3d place_of(const std::vector<pictures::Ball>& balls) {
     return place;
 }
 
-// Pictures have single precision, so scenes far from the origin are drawn shifted: the point that becomes the
-// origin.
-Vector3 origin_of(const SceneDescription& start) {
-    const Eigen::AlignedBox3d place = place_of(balls_of(start));
-    const bool far = !place.isEmpty() && place.center().norm() > 100.0 * place.diagonal().norm();
-    return far ? Vector3(start.bodies.front().position) : Vector3::Zero();
-}
-
 void shift(SceneDescription& scene, const Vector3& by) {
     for (BodyDescription& body : scene.bodies) body.position += by;
     const auto shift_ends = [&by](auto& link) {
@@ -87,9 +79,13 @@ View camera(const SceneDescription& start, const BuiltScene& end, double aspect)
 renderer::Image draw(pictures::OffscreenRenderer& offscreen, const pictures::Size& size, const Trial& trial) {
     Choices choices = understand(trial.state().string(), {});
     SceneDescription start = trial.start();
-    const Vector3 here = -origin_of(start);
-    shift(start, here);
-    shift(choices.description, here);
+    // Pictures have single precision, so scenes far from the origin are drawn shifted.
+    const Eigen::AlignedBox3d place = place_of(balls_of(start));
+    if (!place.isEmpty() && place.center().norm() > 100.0 * place.diagonal().norm()) {
+        const Vector3 here = -start.bodies.front().position;
+        shift(start, here);
+        shift(choices.description, here);
+    }
     const BuiltScene scene = build_scene(choices);
     const double aspect = static_cast<double>(size.width) / size.height;
     try {
@@ -156,11 +152,9 @@ std::string text_of_bar(const Check& check, double bar) {
 }
 
 std::string text_of_expected(const Trial& trial, const Verdict& verdict) {
-    const Expected& expected = trial.expected();
-    const auto index = static_cast<std::size_t>(&verdict - trial.verdicts().data());
-    if (!verdict.check || index >= expected.reached.size() || !expected.reached[index]) return expected.outcome;
-    return fmt::format("{}; {} instead of the bar", expected.outcome,
-                       text_of_bar(*verdict.check, *expected.reached[index]));
+    const std::string& outcome = trial.expected().outcome;
+    if (!verdict.known) return outcome;
+    return fmt::format("{}; {} instead of the bar", outcome, text_of_bar(*verdict.check, *verdict.known));
 }
 
 std::vector<Cell> line_of(const Trial& trial, const Verdict& verdict) {
@@ -174,11 +168,6 @@ std::vector<Cell> line_of(const Trial& trial, const Verdict& verdict) {
             check ? text_of_bar(*check, check->bar) : "",
             verdict.holds ? "yes" : "no",
             trial.command()};
-}
-
-Mark mark_for(const Verdict& verdict) {
-    if (!verdict.holds) return Mark::fails;
-    return verdict.met ? Mark::holds : Mark::known_miss;
 }
 
 // Empty if all verdicts hold.
@@ -233,7 +222,14 @@ class StabilityReport {
         write_scenes(all, run_.folder());
         for (const Chapter& chapter : all) add_section(chapter);
         run_.write("stability.csv", csv_text(table_));
-        write_page();
+        run_.write_page(
+            fmt::format("Stiff and extreme cases, each run and judged by the program. The outcome is that of the "
+                        "last second; the bar is what is required, and where it is known not to be met the table "
+                        "gives under \"expected\" the value that is reached. {} runs, {} numbers beyond their bar, "
+                        "{} not as expected. The numbers are in stability.csv. Made with {}.{}{}",
+                        trials_, missed_bars_, unexpected_.size(), run_.machine(),
+                        run_.quick() ? " This is the quick report: the short cases." : "",
+                        gallery_.missing().empty() ? "" : " There are no pictures: " + gallery_.missing()));
         const std::string headline =
             unexpected_.empty() ? fmt::format("{} runs are as expected", trials_)
                                 : fmt::format("{} of {} runs are not as expected", unexpected_.size(), trials_);
@@ -258,7 +254,9 @@ class StabilityReport {
                 missed_bars_ += verdict.met ? 0 : 1;
                 table_.rows.push_back(line_of(trial, verdict));
                 own.rows.push_back(table_.rows.back());
-                own.rows.back().emplace_back(word_of(mark_for(verdict)));
+                own.rows.back().emplace_back(word_of(!verdict.holds ? Mark::fails
+                                                     : verdict.met  ? Mark::holds
+                                                                    : Mark::known_miss));
             }
             if (!trial.holds()) {
                 unexpected_.push_back(
@@ -272,17 +270,6 @@ class StabilityReport {
         const std::string picture = gallery_.hang(chapter.name, trials);
         if (!picture.empty()) content.pictures.push_back(picture);
         run_.sections.push_back({chapter.name, chapter.heading, content});
-    }
-
-    void write_page() const {
-        run_.write_page(
-            fmt::format("Stiff and extreme cases, each run and judged by the program. The outcome is that of the "
-                        "last second; the bar is what is required, and where it is known not to be met the table "
-                        "gives under \"expected\" the value that is reached. {} runs, {} numbers beyond their bar, "
-                        "{} not as expected. The numbers are in stability.csv. Made with {}.{}{}",
-                        trials_, missed_bars_, unexpected_.size(), run_.machine(),
-                        run_.quick() ? " This is the quick report: the short cases." : "",
-                        gallery_.missing().empty() ? "" : " There are no pictures: " + gallery_.missing()));
     }
 
     StudyRun& run_;

@@ -2,12 +2,10 @@
 // coloured by the outcome of its summary, with a number of it.
 #pragma once
 
-#include "demos/pages/page.h"
 #include "demos/reports/study.h"
 #include "demos/runs/measurements.h"
 
 #include <array>
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -104,11 +102,6 @@ inline constexpr std::array outcome_looks{
     OutcomeLook{"tunnel", "tunnel: is in the ground", "#888888", "#111111"},
     OutcomeLook{non_finite, "non-finite numbers", "#111111", "#ffffff"},
 };
-
-// The map as a picture, one colour per outcome and the measured number in each cell: writes NAME.dat and, where
-// gnuplot is installed, draws it as NAME.png and NAME.svg. `results` are those of cells_of(map), in that order.
-Section atlas_section(const AtlasMap& map, const std::vector<CellResult>& results,
-                      const std::filesystem::path& folder);
 
 // A number short enough for a cell: "0.31", "12", "4e-7", "0".
 std::string short_number(double value);

@@ -37,10 +37,6 @@ const AtlasAxis betas{"beta",
                       1.0,
                       false};
 
-AtlasAxis iterations(const Values& values) {
-    return {"iterations", "iterations per step", values};
-}
-
 // Of the first steps of this list.
 AtlasAxis time_step(std::size_t count) {
     Values steps{"1/960", "1/480", "1/240", "1/120", "1/60", "1/30", "1/15", "1/8", "1/4", "1/2"};
@@ -78,47 +74,6 @@ double step_that_tension_allows(double end_mass) {
     return std::sqrt(mass * length / tension);
 }
 
-// Maps that differ in one option each.
-AtlasMap overlap_map(const std::string& name, const std::string& push, const std::string& title,
-                     const std::string& caption, const std::optional<AtlasTheory>& theory = {}) {
-    return {"overlap_beta_" + name,
-            title,
-            "Five cubes of 2.4 m that overlap each other and the ground, 3 s. " + caption,
-            "stack",
-            {{"seconds", "3"}, {"push", push}},
-            overlaps,
-            betas,
-            upward,
-            theory};
-}
-
-AtlasMap step_map(const std::string& preset, const std::string& title, const std::string& caption) {
-    return {"step_beta_" + preset,
-            title,
-            "The stack of section 10.1, dropped from its gaps, 10 s, preset " + preset + ". " + caption,
-            "stack",
-            {{"preset", preset}, {"seconds", "10"}},
-            time_step(10),
-            betas,
-            off_axis};
-}
-
-AtlasMap chain_map(const std::string& name, const std::string& substeps, const std::string& title,
-                   const std::string& caption) {
-    return {"tension_step_" + name,
-            title,
-            "A chain of 20 balls of 1 kg on bars of 1 m swings from 45 degrees under the weight of its last ball, "
-            "10 s. Moving is the swing itself; torn: bars are off by half of them. " +
-                caption,
-            "chain",
-            {{"seconds", "10"}, {"angle", "45"}, {"substeps", substeps}},
-            end_masses,
-            time_step(7),
-            length_error,
-            AtlasTheory{"ω dt = 2", step_that_tension_allows},
-            "moving: swings on"};
-}
-
 }  // namespace
 
 double AtlasAxis::shown(const std::string& value) const {
@@ -131,6 +86,12 @@ std::string AtlasAxis::tick(const std::string& value) const {
 }
 
 std::vector<AtlasMap> atlas_maps(bool quick) {
+    const std::string overlapping = "Five cubes of 2.4 m that overlap each other and the ground, 3 s. ";
+    const std::string dropped = "The stack of section 10.1, dropped from its gaps, 10 s, preset ";
+    const std::string swinging =
+        "A chain of 20 balls of 1 kg on bars of 1 m swings from 45 degrees under the weight of its last ball, "
+        "10 s. Moving is the swing itself; torn: bars are off by half of them. ";
+    const AtlasTheory resolved{"ω dt = 2", step_that_tension_allows};
     const OptionTexts sweeps{{"seconds", "10"}, {"solver", "pgs"}, {"tolerance", "0"}};
     OptionTexts touching = sweeps;
     touching.emplace_back("gap", "0");
@@ -139,30 +100,41 @@ std::vector<AtlasMap> atlas_maps(bool quick) {
          "A cube of R kg on one of 1 kg, 10 s, projected Gauss-Seidel with warm start. Theory: the sweeps in which "
          "an error falls to 1/e, about R; with warm start the steps share them.",
          "heavy-on-light", sweeps, mass_ratios,
-         iterations({"1", "2", "5", "10", "20", "50", "100", "200", "500", "1000"}), off_axis,
-         AtlasTheory{"error to 1/e in one step", sweeps_of_mass_ratio}},
+         AtlasAxis{
+             "iterations", "iterations per step", {"1", "2", "5", "10", "20", "50", "100", "200", "500", "1000"}},
+         off_axis, AtlasTheory{"error to 1/e in one step", sweeps_of_mass_ratio}},
         {"height_iterations", "Towers: how many iterations a height takes",
          "Equal cubes that touch, 10 s, projected Gauss-Seidel with warm start. Theory: the sweeps in which an "
          "error falls to 1/e, which grow with the square of the height; with warm start the steps share them.",
-         "stack", touching, heights, iterations({"1", "2", "5", "10", "20", "50", "100", "200", "400"}), off_axis,
-         AtlasTheory{"error to 1/e in one step", sweeps_of_height}},
-        overlap_map("persistent", "persistent", "Overlap under the original push: what is pushed out flies",
-                    "The persistent push leaves the correcting velocity in the momenta. Theory: from this beta on "
-                    "the topmost cube still rises after two seconds.",
-                    AtlasTheory{"thrown at 25 m/s", beta_that_throws}),
-        overlap_map("single_frame", "single-frame", "Overlap under the single-frame push: it only moves apart",
-                    "The single-frame push of section 8.1 leaves no velocity behind. With a small beta the last of "
-                    "the overlap is still on its way out after 3 s; cubes that almost coincide are moved out "
-                    "sideways too, and some come down beside the others."),
-        step_map("paper", "The stack by the paper's method: long steps and beta 1 bring it down",
-                 "25 cold iterations never bring it wholly to rest; a beta near 1 or a long step throws it over."),
-        step_map("default", "The stack with the default preset: it stands at every step and beta",
-                 "Single-frame push, contact caching and a direct finish."),
-        chain_map(
-            "plain", "1", "Bars under tension: the longest step that holds",
-            "Theory: the fastest sideways vibration of the links, ω = 2 sqrt(T / (m l)), resolved by the step."),
-        chain_map("substeps", "auto", "Bars under tension with automatic substeps: the step no longer matters",
-                  "Theory: the longest step without substeps."),
+         "stack", touching, heights,
+         AtlasAxis{"iterations", "iterations per step", {"1", "2", "5", "10", "20", "50", "100", "200", "400"}},
+         off_axis, AtlasTheory{"error to 1/e in one step", sweeps_of_height}},
+        {"overlap_beta_persistent", "Overlap under the original push: what is pushed out flies",
+         overlapping + "The persistent push leaves the correcting velocity in the momenta. Theory: from this beta "
+                       "on the topmost cube still rises after two seconds.",
+         "stack", OptionTexts{{"seconds", "3"}, {"push", "persistent"}}, overlaps, betas, upward,
+         AtlasTheory{"thrown at 25 m/s", beta_that_throws}},
+        {"overlap_beta_single_frame", "Overlap under the single-frame push: it only moves apart",
+         overlapping + "The single-frame push of section 8.1 leaves no velocity behind. With a small beta the last "
+                       "of the overlap is still on its way out after 3 s; cubes that almost coincide are moved out "
+                       "sideways too, and some come down beside the others.",
+         "stack", OptionTexts{{"seconds", "3"}, {"push", "single-frame"}}, overlaps, betas, upward},
+        {"step_beta_paper", "The stack by the paper's method: long steps and beta 1 bring it down",
+         dropped + "paper. 25 cold iterations never bring it wholly to rest; a beta near 1 or a long step throws "
+                   "it over.",
+         "stack", OptionTexts{{"preset", "paper"}, {"seconds", "10"}}, time_step(10), betas, off_axis},
+        {"step_beta_default", "The stack with the default preset: it stands at every step and beta",
+         dropped + "default. Single-frame push, contact caching and a direct finish.", "stack",
+         OptionTexts{{"preset", "default"}, {"seconds", "10"}}, time_step(10), betas, off_axis},
+        {"tension_step_plain", "Bars under tension: the longest step that holds",
+         swinging + "Theory: the fastest sideways vibration of the links, ω = 2 sqrt(T / (m l)), resolved by the "
+                    "step.",
+         "chain", OptionTexts{{"seconds", "10"}, {"angle", "45"}, {"substeps", "1"}}, end_masses, time_step(7),
+         length_error, resolved, "moving: swings on"},
+        {"tension_step_substeps", "Bars under tension with automatic substeps: the step no longer matters",
+         swinging + "Theory: the longest step without substeps.", "chain",
+         OptionTexts{{"seconds", "10"}, {"angle", "45"}, {"substeps", "auto"}}, end_masses, time_step(7),
+         length_error, resolved, "moving: swings on"},
     };
     for (AtlasMap& map : maps) {
         for (AtlasAxis* axis : {&map.x, &map.y}) {

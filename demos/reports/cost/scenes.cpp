@@ -37,16 +37,6 @@ const std::vector<Size> sizes{
     {"funnel of 2000", "funnel", {{"count", "2000"}}, true},
 };
 
-// A bar that yields at once: it never has its length, and so needs a correction in every step.
-DistanceDescription yielding_bar(const BodyDescription& body) {
-    DistanceDescription bar;
-    bar.a.point = body.position + Vector3(0, 2, 0);
-    bar.b.body = body.name;
-    bar.length = 1.0;
-    bar.max_force = no_force;
-    return bar;
-}
-
 SceneDescription on_the_ground(std::string name) {
     SceneDescription scene;
     scene.name = std::move(name);
@@ -170,11 +160,15 @@ std::vector<CostCase> cost_cases(bool quick) {
 }
 
 SceneDescription with_everything(SceneDescription scene) {
-    const auto body = std::find_if(scene.bodies.begin(), scene.bodies.end(),
-                                   [](const BodyDescription& each) { return each.mass.has_value(); });
+    const auto body = std::ranges::find_if(scene.bodies, &std::optional<double>::has_value, &BodyDescription::mass);
     if (body == scene.bodies.end()) throw std::logic_error("a scene in which nothing moves");
     scene.forces.push_back({.body = body->name, .force = Vector3(0, -no_force, 0)});
-    if (scene.distances.empty()) scene.distances.push_back(yielding_bar(*body));
+    // A bar that yields at once: it never has its length, and so needs a correction in every step.
+    const Vector3 above = body->position + Vector3(0, 2, 0);
+    if (scene.distances.empty()) {
+        scene.distances.push_back(
+            {.a = {.point = above}, .b = {.body = body->name}, .length = 1.0, .max_force = no_force});
+    }
     scene.contacts = true;
     for (BodyDescription& each : scene.bodies) {
         each.friction = std::max(each.friction, next_to_nothing);

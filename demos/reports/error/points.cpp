@@ -13,6 +13,7 @@
 #include <limits>
 #include <map>
 #include <numeric>
+#include <set>
 
 namespace pushfactor::demos::reports::error {
 
@@ -20,16 +21,14 @@ namespace {
 
 constexpr int timed_runs = 5;  // per point
 
-struct Work {
+struct StepLog {
     double multiply_adds = 0.0;
+    std::vector<double> us;  // where there is a clock
 
-    void observe(const Simulation& run) { multiply_adds += run.sample().count.multiply_adds; }
-};
-
-struct StepTimes {
-    std::vector<double> us;
-
-    void observe(const Simulation& run) { us.push_back(*run.sample().cpu_us); }
+    void observe(const Simulation& run) {
+        multiply_adds += run.sample().count.multiply_adds;
+        if (run.sample().cpu_us) us.push_back(*run.sample().cpu_us);
+    }
 };
 
 CpuShare time_runs(const Choices& choices, int repeats, const StopCheck& check) {
@@ -40,7 +39,7 @@ CpuShare time_runs(const Choices& choices, int repeats, const StopCheck& check) 
     std::vector<double> all, begin, end;
     for (int i = 0; i < repeats; ++i) {
         Simulation run(choices.on_one_thread(), thread_cpu_us);
-        StepTimes steps;
+        StepLog steps;
         play_to_end(run, check, steps);
         const std::vector<double>& times = steps.us;
         if (times.empty()) return {};
@@ -74,22 +73,6 @@ ErrorPoint point_of(const std::vector<std::string>& cells) {
             .failed = !std::isfinite(number(6)) || means_failure(cells[13])};
 }
 
-// Whether a point of the line is on the Pareto front of all lines.
-std::vector<bool> on_front(std::span<const WorkLine> lines) {
-    std::vector<Trade> trades;
-    std::vector<std::size_t> owners;
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-        for (const WorkPoint& point : lines[i].points) {
-            if (point.failed || !std::isfinite(point.error)) continue;
-            trades.push_back({point.error, point.work});
-            owners.push_back(i);
-        }
-    }
-    std::vector<bool> best(lines.size(), false);
-    for (const std::size_t trade : pareto_front(trades)) best[owners[trade]] = true;
-    return best;
-}
-
 std::string text_of(double seconds) {
     return fmt::format("{:.3g} ms", 1e3 * seconds);
 }
@@ -111,7 +94,7 @@ ErrorPoint run_point(const Experiment& sweep, const Method& method, const std::s
                      .value = value};
     Simulation run(choices);
     Measurements measurements(run);
-    Work work;
+    StepLog work;
     TrueError error = sweep.error(run);
     const bool finite = play_to_end(run, check, work, measurements, error);
     point.errors = error.result();
@@ -188,11 +171,19 @@ std::vector<ErrorPoint> about(std::vector<ErrorPoint> points, const std::string&
 
 std::vector<WorkLine> lines_beside(std::span<const WorkLine> ours, std::span<const ErrorPoint> others) {
     constexpr std::array marks{4, 8, 12, 10, 6};  // gnuplot's open square, triangle, diamond, triangle down, circle
-    std::vector<WorkLine> lines;
-    const std::vector<bool> best = on_front(ours);
-    for (std::size_t i = 0; i < ours.size(); ++i) {
-        if (best[i]) lines.push_back(ours[i]);
+    std::vector<Trade> trades;
+    std::vector<const WorkLine*> owners;
+    for (const WorkLine& line : ours) {
+        for (const WorkPoint& point : line.points) {
+            if (point.failed || !std::isfinite(point.error)) continue;
+            trades.push_back({point.error, point.work});
+            owners.push_back(&line);
+        }
     }
+    std::set<const WorkLine*> best;  // in the order of `ours`
+    for (const std::size_t trade : pareto_front(trades)) best.insert(owners[trade]);
+    std::vector<WorkLine> lines;
+    for (const WorkLine* const line : best) lines.push_back(*line);
     struct Engine {
         int mark = 0, lines = 0;
     };

@@ -72,17 +72,11 @@ Decades decades(const std::vector<double>& values) {
     return {low, std::max(high, low + 1.0)};
 }
 
-// Whether the point can be drawn: zero work has no place on a logarithmic axis.
-bool drawable(const WorkPoint& point) {
-    return point.work > 0.0 && (point.failed || std::isfinite(point.error));
-}
-
 Axes axes_of(const WorkPlot& plot) {
     std::vector<double> errors, works;
     Axes axes;
     for (const WorkLine& line : plot.lines) {
         for (const WorkPoint& point : line.points) {
-            if (!drawable(point)) continue;
             works.push_back(point.work);
             axes.failures |= point.failed;
             if (!point.failed) errors.push_back(std::max(point.error, least_error));
@@ -109,7 +103,7 @@ std::string front_block(const WorkPlot& plot, const Axes& axes) {
     if (!plot.front) return block("no Pareto front", "");
     for (const WorkLine& line : plot.lines) {
         for (const WorkPoint& point : line.points) {
-            if (drawable(point) && !point.failed) trades.push_back({axes.shown_error(point), point.work});
+            if (!point.failed) trades.push_back({axes.shown_error(point), point.work});
         }
     }
     const std::vector<std::size_t> front = pareto_front(trades);
@@ -134,64 +128,51 @@ std::vector<std::pair<double, double>> visible(const TheoryLine& theory, const A
 }
 
 // Labels of the points and, at their upper ends, of the theory lines.
-class Labels {
-  public:
-    Labels(const WorkPlot& plot, const Axes& axes) : axes_(axes) {
-        for (const WorkLine& line : plot.lines) {
-            const WorkPoint* last = nullptr;
-            for (const WorkPoint& point : line.points) {
-                if (!drawable(point)) continue;
-                add(axes.place(point), point.label, number_of(line.colour));
-                if (last && !point.failed) lines_.push_back({axes.place(*last), axes.place(point)});
-                last = point.failed ? nullptr : &point;
-            }
-        }
-        for (const TheoryLine& theory : plot.theory) {
-            const auto points = visible(theory, axes);
-            const auto upper = std::max_element(points.begin(), points.end(),
-                                                [](const auto& a, const auto& b) { return a.second < b.second; });
-            if (upper == points.end()) continue;
-            add(axes.place({.error = upper->first, .work = upper->second, .label = {}}), theory.label, 0x888888);
-        }
-    }
-
-    std::string block_text() const {
-        const auto places = place_labels(points_, texts_, lines_, area);
-        std::string text;
-        for (std::size_t i = 0; i < places.size(); ++i) {
-            if (!places[i]) continue;
-            const Place share = places[i]->cwiseQuotient(area);
-            text += fmt::format("{},{},{},{}\n", axes_.error.at(share.x()), axes_.work.at(share.y()), texts_[i],
-                                colours_[i]);
-        }
-        return block("labels: error, work, text, colour", text);
-    }
-
-  private:
+std::string label_block(const WorkPlot& plot, const Axes& axes) {
+    std::vector<Place> points;
+    std::vector<std::string> texts;
+    std::vector<int> colours;
+    std::vector<Segment> lines;
     // Coincident points get one label if they belong to one line or have the same value.
-    void add(const Place& place, const std::string& text, int colour) {
-        for (std::size_t i = 0; i < points_.size(); ++i) {
-            const bool same_point = (points_[i] - place).norm() < 1.0;
-            if (same_point && (colours_[i] == colour || texts_[i] == text)) return;
+    const auto add = [&](const Place& place, const std::string& text, int colour) {
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const bool same_point = (points[i] - place).norm() < 1.0;
+            if (same_point && (colours[i] == colour || texts[i] == text)) return;
         }
-        points_.push_back(place);
-        texts_.push_back(text);
-        colours_.push_back(colour);
+        points.push_back(place);
+        texts.push_back(text);
+        colours.push_back(colour);
+    };
+    for (const WorkLine& line : plot.lines) {
+        const WorkPoint* last = nullptr;
+        for (const WorkPoint& point : line.points) {
+            add(axes.place(point), point.label, number_of(line.colour));
+            if (last && !point.failed) lines.push_back({axes.place(*last), axes.place(point)});
+            last = point.failed ? nullptr : &point;
+        }
     }
-
-    Axes axes_;
-    std::vector<Place> points_;
-    std::vector<std::string> texts_;
-    std::vector<int> colours_;
-    std::vector<Segment> lines_;
-};
+    for (const TheoryLine& theory : plot.theory) {
+        const auto seen = visible(theory, axes);
+        const auto upper = std::ranges::max_element(seen, {}, &std::pair<double, double>::second);
+        if (upper == seen.end()) continue;
+        add(axes.place({.error = upper->first, .work = upper->second, .label = {}}), theory.label, 0x888888);
+    }
+    const auto places = place_labels(points, texts, lines, area);
+    std::string text;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        if (!places[i]) continue;
+        const Place share = places[i]->cwiseQuotient(area);
+        text +=
+            fmt::format("{},{},{},{}\n", axes.error.at(share.x()), axes.work.at(share.y()), texts[i], colours[i]);
+    }
+    return block("labels: error, work, text, colour", text);
+}
 
 std::string data_text(const WorkPlot& plot, const Axes& axes) {
     std::string text = fmt::format("# {}\n", plot.machine), failures;
     for (const WorkLine& line : plot.lines) {
         std::string lines;
         for (const WorkPoint& point : line.points) {
-            if (!drawable(point)) continue;
             std::string& where = point.failed ? failures : lines;
             where += fmt::format("{},{},{},{}\n", axes.shown_error(point), point.work, point.label,
                                  number_of(line.colour));
@@ -199,7 +180,7 @@ std::string data_text(const WorkPlot& plot, const Axes& axes) {
         text += block(line.name + ": error, work, knob, colour", lines);
     }
     text += front_block(plot, axes);
-    text += Labels(plot, axes).block_text();
+    text += label_block(plot, axes);
     text += block("failed, at the border: error, work, knob, colour", failures);
     for (const TheoryLine& theory : plot.theory) {
         std::string lines;
@@ -225,12 +206,19 @@ Cheapest cheapest(std::span<const WorkLine> lines, double error) {
 std::string colour_of_solver(const std::string& method) {
     constexpr std::array<std::pair<std::string_view, std::string_view>, 5> colours{
         {{"pgs", "blue"}, {"nncg", "green"}, {"jacobi", "orange"}, {"direct", "violet"}, {"auto", "vermilion"}}};
-    const auto found = std::ranges::find(colours, method.substr(0, method.find(',')),
-                                         &std::pair<std::string_view, std::string_view>::first);
-    return found == colours.end() ? "grey" : std::string(found->second);
+    for (const auto& [solver, colour] : colours) {
+        if (method.substr(0, method.find(',')) == solver) return std::string(colour);
+    }
+    return "grey";
 }
 
-void draw_work_plot(const WorkPlot& plot, const std::filesystem::path& folder, SectionContent& plate) {
+void draw_work_plot(WorkPlot plot, const std::filesystem::path& folder, SectionContent& plate) {
+    // Zero work has no place on a logarithmic axis.
+    for (WorkLine& line : plot.lines) {
+        std::erase_if(line.points, [](const WorkPoint& point) {
+            return !(point.work > 0.0 && (point.failed || std::isfinite(point.error)));
+        });
+    }
     const Axes axes = axes_of(plot);
     std::string names, colours, dashes, marks;
     for (const WorkLine& line : plot.lines) {

@@ -56,7 +56,7 @@ struct WorkPlot {
 
 // Writes NAME.dat and, where gnuplot is installed, draws it as NAME.png and NAME.svg. Adds the files to the plate;
 // without gnuplot its caption says what to install.
-void draw_work_plot(const WorkPlot& plot, const std::filesystem::path& folder, SectionContent& plate);
+void draw_work_plot(WorkPlot plot, const std::filesystem::path& folder, SectionContent& plate);
 
 // A section with the plot, named like it.
 Section work_section(const WorkPlot& plot, const std::string& heading, const std::string& caption,

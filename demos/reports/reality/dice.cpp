@@ -70,44 +70,12 @@ bool ends_on_square(double length, const Law& law, int number) {
     throw RunError(fmt::format("a die of length {} does not come to rest", length));
 }
 
-// The throws of assets/measured/dice.csv (Mathematical Gazette 97.16, 2013): steel dice.
+// Of assets/measured/dice.csv (Mathematical Gazette 97.16, 2013): steel dice.
 struct Die {
     double length = 1.0;  // over the edge of the square
     double share = 0.0;   // of throws with a square face on top
     int throws = 0;
 };
-
-// Throws RunError for a missing or damaged file.
-std::vector<Die> read_dice() {
-    std::vector<Die> dice;
-    for (const auto& line :
-         numbers_of(asset_folder("measured") / "dice.csv", "length_over_square_edge,share_square_face_up,throws")) {
-        dice.push_back({line[0], line[1], static_cast<int>(line[2])});
-    }
-    return dice;
-}
-
-std::vector<Law> laws_of(bool quick) {
-    std::vector<Law> all;
-    for (const double friction : quick ? std::vector{0.2, 0.4} : std::vector{0.2, 0.3, 0.4, 0.6}) {
-        for (const double restitution : quick ? std::vector{0.3, 0.6} : std::vector{0.2, 0.4, 0.6}) {
-            all.push_back({friction, restitution});
-        }
-    }
-    return all;
-}
-
-Piece throws_of(const std::vector<Die>& dice, const Law& law, int throws) {
-    const std::string key = fmt::format("reality: {} throws of each die, friction {}, restitution {}", throws,
-                                        law.friction, law.restitution);
-    return {key, [=](const StopCheck& check) {
-                std::vector<double> shares;
-                for (const Die& die : dice) {
-                    shares.push_back(static_cast<double>(square_faces(die.length, law, 0, throws, check)) / throws);
-                }
-                return json_numbers(shares);
-            }};
-}
 
 double variance(double share, int throws) {
     // One throw more of each outcome, so that a share of 0 has an error too.
@@ -127,11 +95,28 @@ int square_faces(double length, const Law& law, int first, int throws, const Sto
 }
 
 void add_dice(StudyRun& run) {
-    const std::vector<Die> dice = read_dice();
+    std::vector<Die> dice;
+    for (const auto& line :
+         numbers_of(asset_folder("measured") / "dice.csv", "length_over_square_edge,share_square_face_up,throws")) {
+        dice.push_back({line[0], line[1], static_cast<int>(line[2])});
+    }
     const int throws = run.quick() ? 200 : 2000;
-    const std::vector<Law> laws = laws_of(run.quick());
+    std::vector<Law> laws;
     Pieces pieces;
-    for (const Law& law : laws) pieces.push_back(throws_of(dice, law, throws));
+    for (const double friction : run.quick() ? std::vector{0.2, 0.4} : std::vector{0.2, 0.3, 0.4, 0.6}) {
+        for (const double restitution : run.quick() ? std::vector{0.3, 0.6} : std::vector{0.2, 0.4, 0.6}) {
+            const Law& law = laws.emplace_back(Law{friction, restitution});
+            pieces.push_back({fmt::format("reality: {} throws of each die, friction {}, restitution {}", throws,
+                                          friction, restitution),
+                              [=](const StopCheck& check) {
+                                  std::vector<double> shares;
+                                  for (const Die& die : dice)
+                                      shares.push_back(square_faces(die.length, law, 0, throws, check) /
+                                                       static_cast<double>(throws));
+                                  return json_numbers(shares);
+                              }});
+        }
+    }
     run.gather(pieces);
 
     std::vector<std::vector<double>> shares;

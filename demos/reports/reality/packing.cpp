@@ -97,7 +97,9 @@ class Filling {
     // Mean over eight parts of the region.
     Mean share() const {
         constexpr int samples = 20000;
-        const double side = 0.5 * container_.width - away, top = surface() - away;
+        const std::vector<double> there = heights();
+        const double surface = there.empty() ? 0.0 : there[there.size() * 9 / 10] + radius;  // above nine of ten
+        const double side = 0.5 * container_.width - away, top = surface - away;
         scenes::Random random(2);
         std::vector<double> parts;
         for (int part = 0; part < 8; ++part) {
@@ -126,22 +128,19 @@ class Filling {
             {.name = fmt::format("wall {}", scene_.bodies.size()), .shape = BoxShape{size}, .position = position});
     }
 
-    // Height below which nine of ten bodies are.
-    double surface() const {
-        std::vector<double> heights;
+    // Of the bodies, the lowest first.
+    std::vector<double> heights() const {
+        std::vector<double> all;
         for (const BodyDescription& body : scene_.bodies) {
-            if (body.mass) heights.push_back(body.position.y());
+            if (body.mass) all.push_back(body.position.y());
         }
-        if (heights.empty()) return 0.0;
-        std::ranges::sort(heights);
-        return heights[heights.size() * 9 / 10] + radius;
+        std::ranges::sort(all);
+        return all;
     }
 
     void add_layer(int count) {
-        double top = 0.0;
-        for (const BodyDescription& body : scene_.bodies) {
-            if (body.mass) top = std::max(top, body.position.y());
-        }
+        const std::vector<double> there = heights();
+        const double top = there.empty() ? 0.0 : std::max(0.0, there.back());
         const double spacing = container_.width / across;
         for (int i = 0; i < count; ++i) {
             BodyDescription body = kind_;

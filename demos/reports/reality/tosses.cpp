@@ -1,15 +1,19 @@
 #include "demos/reports/reality/tosses.h"
 
 #include "demos/platform/output_file.h"
+#include "demos/scenes/random.h"
 #include "demos/text/errors.h"
+#include "demos/text/median.h"
 
 #include <fmt/format.h>
 #include <libdeflate.h>
 
 #include <algorithm>
 #include <charconv>
+#include <limits>
 #include <memory>
 #include <numbers>
+#include <numeric>
 
 namespace pushfactor::demos::reports::reality {
 
@@ -64,6 +68,64 @@ Vector3 rotation_between(const Quaternion& from, const Quaternion& to) {
 // Height [m] of the lowest corner above the board.
 double clearance(const Pose& pose, double board) {
     return pose.position.y() - board - 0.5 * edge * pose.orientation.toRotationMatrix().row(1).cwiseAbs().sum();
+}
+
+std::vector<double> values(double from, double step, int count) {
+    std::vector<double> all;
+    for (int i = 0; i < count; ++i) all.push_back(from + step * i);
+    return all;
+}
+
+// Where the cubes of these tosses lie at the end, m: the height of the board is measured there best.
+Mean board_of(const Tosses& tosses) {
+    std::vector<double> heights;
+    for (const Toss& toss : tosses) heights.push_back(toss.frames.back().position.y() - 0.5 * edge);
+    return mean_of(heights);
+}
+
+constexpr std::size_t fewest = 10;  // tosses, of a mean
+
+void add_error(const Pose& measured, const Pose& computed, ErrorsAt& errors) {
+    const PoseError error = between(measured, computed);
+    errors.position.push_back(error.position);
+    errors.angle.push_back(error.angle);
+}
+
+using Frame = std::optional<std::size_t>;  // of a toss, where it has such a one
+
+// The errors at a frame of each toss that `frame_of` gives for a number from 0 on and the contacts of the toss,
+// while there are enough tosses.
+template <typename FrameOf>
+std::vector<ErrorsAt> errors_at(const Tosses& tosses, const Judged& judged, const Law& law,
+                                const FrameOf& frame_of) {
+    std::vector<ErrorsAt> all;
+    while (true) {
+        ErrorsAt errors;
+        for (std::size_t t = 0; t < tosses.size(); ++t) {
+            const Frame frame = frame_of(all.size(), tosses[t], bounces(tosses[t], law.board));
+            if (frame) add_error(tosses[t].frames[*frame], judged.poses[t][*frame], errors);
+        }
+        if (errors.position.size() < fewest) return all;
+        all.push_back(std::move(errors));
+    }
+}
+
+// Errors after 0.1 s from measured poses, with and without contact: so far chaos has no say.
+struct Windows {
+    ErrorsAt flight, contact;
+};
+Windows windows_of(const Engine& engine, const Tosses& tosses, const Law& law) {
+    constexpr std::size_t length = frames_per_second / 10;
+    Windows found;
+    for (const Toss& toss : tosses) {
+        const std::vector<std::size_t> contacts = bounces(toss, law.board);
+        const std::size_t first = contacts.empty() ? toss.frames.size() : contacts.front();
+        for (std::size_t from = 2; from + length < toss.frames.size(); from += length) {
+            add_error(toss.frames[from + length], engine(restart(toss, from), law, length + 1).back(),
+                      from + length < first ? found.flight : found.contact);
+        }
+    }
+    return found;
 }
 
 }  // namespace
@@ -154,6 +216,152 @@ Restart restart(const Toss& toss, std::size_t at) {
         turned += time * rotation_between(pose.orientation, toss.frames[i].orientation);
     }
     return {pose, moved / squares, turned / squares};
+}
+
+Tosses half_of(const Tosses& all, std::size_t first, bool quick) {
+    Tosses some;
+    for (std::size_t i = first; i < all.size(); i += quick ? 10 : 2) some.push_back(all[i]);
+    return some;
+}
+
+LawGrid law_grid(const Tosses& tosses, bool quick) {
+    if (quick) return {values(0.14, 0.02, 5), values(0.0, 0.1, 4), board_of(tosses)};
+    return {values(0.12, 0.01, 13), values(0.0, 0.05, 9), board_of(tosses)};
+}
+
+std::vector<double> errors_with(const Engine& engine, const Tosses& tosses, const LawGrid& grid, double friction,
+                                const StopCheck& check) {
+    std::vector<double> errors;
+    for (const double restitution : grid.restitutions) {
+        check();
+        const Law law{friction, restitution, grid.board.value};
+        for (const Toss& toss : tosses) {
+            errors.push_back(mean_error(toss, engine(toss.start, law, toss.frames.size())).position);
+        }
+    }
+    return errors;
+}
+
+LawFit::LawFit(LawGrid grid, std::vector<std::vector<double>> errors)
+    : grid_(std::move(grid)), errors_(std::move(errors)) {
+    whole_.resize(errors_.front().size() / grid_.restitutions.size());
+    std::iota(whole_.begin(), whole_.end(), std::size_t{0});
+}
+
+double LawFit::error(std::array<std::size_t, 2> at, const std::vector<std::size_t>& of) const {
+    const double* const all = errors_[at[0]].data() + at[1] * whole_.size();
+    double sum = 0.0;
+    for (const std::size_t toss : of) sum += all[toss];
+    return sum / static_cast<double>(of.size());
+}
+
+Law LawFit::best(const std::vector<std::size_t>& of) const {
+    const std::array<const std::vector<double>*, 2> axes{&grid_.frictions, &grid_.restitutions};
+    std::array<std::size_t, 2> least{}, at{};
+    double lowest = std::numeric_limits<double>::infinity();
+    for (at[0] = 0; at[0] < axes[0]->size(); ++at[0]) {
+        for (at[1] = 0; at[1] < axes[1]->size(); ++at[1]) {
+            const double here = error(at, of);
+            if (!(here < lowest)) continue;  // nor where an engine gave up
+            lowest = here;
+            least = at;
+        }
+    }
+    std::array<double, 2> found{};
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        const std::vector<double>& value = *axes[axis];
+        found[axis] = value[least[axis]];
+        if (least[axis] == 0 || least[axis] + 1 >= value.size()) continue;
+        auto below = least, above = least;
+        --below[axis];
+        ++above[axis];
+        const double low = error(below, of), high = error(above, of), bend = low - 2.0 * lowest + high;
+        if (bend > 0.0) found[axis] += 0.5 * (low - high) / bend * (value[1] - value[0]);
+    }
+    return {found[0], found[1], grid_.board.value};
+}
+
+Law LawFit::spread() const {
+    constexpr int draws = 200;
+    scenes::Random random(1);
+    std::vector<double> frictions, restitutions;
+    for (int draw = 0; draw < draws; ++draw) {
+        std::vector<std::size_t> of(whole_.size());
+        for (std::size_t& one : of) {
+            one = static_cast<std::size_t>(random.in(0.0, static_cast<double>(whole_.size())));
+        }
+        const Law law = best(of);
+        frictions.push_back(law.friction);
+        restitutions.push_back(law.restitution);
+    }
+    const auto deviation = [](const std::vector<double>& all) { return mean_of(all).error * std::sqrt(draws); };
+    return {deviation(frictions), deviation(restitutions), grid_.board.error};
+}
+
+Judged judge(const Engine& engine, const Tosses& tosses, const Law& law) {
+    Judged judged;
+    for (const Toss& toss : tosses) {
+        judged.poses.push_back(engine(toss.start, law, toss.frames.size()));
+        const PoseError error = mean_error(toss, judged.poses.back());
+        judged.position.push_back(error.position);
+        judged.angle.push_back(error.angle);
+        judged.right.push_back(upper_face(judged.poses.back().back().orientation) ==
+                               upper_face(toss.frames.back().orientation));
+    }
+    return judged;
+}
+
+std::vector<ErrorsAt> errors_over_time(const Tosses& tosses, const Judged& judged, const Law& law) {
+    constexpr auto longest = static_cast<std::size_t>(0.6 * frames_per_second);
+    const auto frame_of = [](std::size_t since, const Toss& toss, const auto& contacts) -> Frame {
+        if (since > longest || contacts.empty() || contacts.front() + since >= toss.frames.size()) return {};
+        return contacts.front() + since;
+    };
+    std::vector<ErrorsAt> all = errors_at(tosses, judged, law, frame_of);
+    for (std::size_t i = 0; i < all.size(); ++i) all[i].at = static_cast<double>(i) / frames_per_second;
+    return all;
+}
+
+std::vector<ErrorsAt> errors_by_bounce(const Tosses& tosses, const Judged& judged, const Law& law) {
+    const auto frame_of = [](std::size_t bounce, const Toss& toss, const auto& contacts) -> Frame {
+        if (bounce >= contacts.size()) return {};
+        return (bounce + 1 == contacts.size() ? toss.frames.size() : contacts[bounce + 1]) - 1;
+    };
+    std::vector<ErrorsAt> all = errors_at(tosses, judged, law, frame_of);
+    for (std::size_t i = 0; i < all.size(); ++i) all[i].at = static_cast<double>(i + 1);
+    return all;
+}
+
+std::vector<Result> results_of(const Engine& engine, const LawFit& fit, const Tosses& tosses,
+                               const Judged& judged) {
+    const Law law = fit.best(), spread = fit.spread();
+    std::vector<Result> results;
+    const auto add = [&results](const std::string& what, const std::vector<double>& all, double scale) {
+        const Mean mean = mean_of(all);
+        results.push_back({what, scale * mean.value, scale * mean.error});
+    };
+    results.push_back({"fitted friction", law.friction, spread.friction});
+    results.push_back({"fitted restitution", law.restitution, spread.restitution});
+    results.push_back({"height of the board, mm", 1000.0 * law.board, 1000.0 * spread.board});
+    add("position, mean over whole tosses, % of an edge", judged.position, 100.0);
+    results.push_back({"position, median toss, % of an edge", 100.0 * median(judged.position)});
+    add("orientation, mean over whole tosses, degrees", judged.angle, 1.0);
+    results.push_back({"orientation, median toss, degrees", median(judged.angle)});
+    const auto after = errors_by_bounce(tosses, judged, law);
+    if (!after.empty()) {
+        add("after the first bounce: position, % of an edge", after.front().position, 100.0);
+        add("after the first bounce: orientation, degrees", after.front().angle, 1.0);
+    }
+    const auto count = static_cast<double>(tosses.size());
+    const double share = static_cast<double>(std::ranges::count(judged.right, true)) / count;
+    const auto [low, high] = confidence(share, static_cast<int>(tosses.size()));
+    results.push_back({"the measured face ends on top, % of tosses", 100.0 * share, 50.0 * (high - low) / 1.96});
+    const Windows windows = windows_of(engine, tosses, law);
+    add("restarted in flight: position after 0.1 s, % of an edge", windows.flight.position, 100.0);
+    add("restarted in flight: orientation, degrees", windows.flight.angle, 1.0);
+    add("restarted with contacts: position after 0.1 s, % of an edge", windows.contact.position, 100.0);
+    add("restarted with contacts: orientation, degrees", windows.contact.angle, 1.0);
+    return results;
 }
 
 }  // namespace pushfactor::demos::reports::reality

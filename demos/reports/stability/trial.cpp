@@ -112,35 +112,27 @@ Json Trial::measured(bool ended) const {
     return result;
 }
 
-Verdict Trial::judge(const Check& check, std::size_t index, const std::vector<double>& values) const {
-    const auto& [preset, outcome, reached] = expected_;
-    Verdict verdict{.check = &check, .value = worst(check, values), .met = false, .holds = false};
-    if (verdict.value) {
-        verdict.met = better_or_equal(*verdict.value, check.bar, check.at_least);
-        verdict.holds = verdict.met || (index < reached.size() && reached[index] &&
-                                        better_or_equal(*verdict.value, *reached[index], check.at_least));
-    }
-    // Where an unwanted outcome is expected, bars are not judged unless `reached` is given.
-    if (outcome != one_.wanted && reached.empty()) verdict.holds = true;
-    return verdict;
-}
-
 void Trial::judge(const Json& result) {
+    const auto& [preset, outcome, reached] = expected_;
     outcome_ = result.at("outcome").get<std::string>();
+    const bool is_known = outcome_ == outcome || outcome_ == one_.wanted;
+    // Where an unwanted outcome is expected, bars are not judged unless `reached` is given.
+    const bool bars_count = outcome == one_.wanted || !reached.empty();
     for (std::size_t i = 0; i < one_.checks.size(); ++i) {
-        verdicts_.push_back(judge(one_.checks[i], i, numbers_in(result.at("values").at(i))));
+        const Check& check = one_.checks[i];
+        Verdict& verdict = verdicts_.emplace_back(
+            Verdict{.check = &check, .value = worst(check, numbers_in(result.at("values").at(i)))});
+        if (i < reached.size()) verdict.known = reached[i];
+        const auto meets = [&](const std::optional<double>& bar) {
+            return verdict.value && bar && better_or_equal(*verdict.value, *bar, check.at_least);
+        };
+        verdict.met = meets(check.bar);
+        verdict.holds = is_known && (!bars_count || verdict.met || meets(verdict.known));
     }
-    if (verdicts_.empty()) verdicts_.push_back({});
-    for (Verdict& verdict : verdicts_) {
-        verdict.holds = verdict.holds && (outcome_ == expected_.outcome || outcome_ == one_.wanted);
-    }
+    if (verdicts_.empty()) verdicts_.push_back({.holds = is_known});
     for (const auto& [name, text] : result.at("files").items()) {
         write_file(folder_ / name, text.get_ref<const std::string&>());
     }
-}
-
-bool Trial::holds() const {
-    return std::ranges::all_of(verdicts_, &Verdict::holds);
 }
 
 void write_scenes(const std::vector<Chapter>& chapters, const fs::path& folder) {

@@ -1,5 +1,5 @@
 // The measures of the stability report on known motions.
-#include "demos/reports/stability/scenes.h"
+#include "demos/reports/stability/cases.h"
 #include "demos/reports/stability/trial.h"
 #include "tests/catch.h"
 

@@ -1,5 +1,5 @@
 // The stability report command: its table, thumbnails, commands that show the same; and how a case is judged.
-#include "demos/reports/stability/scenes.h"
+#include "demos/reports/stability/cases.h"
 #include "demos/reports/stability/trial.h"
 #include "tests/catch.h"
 #include "tests/demos/csv.h"
