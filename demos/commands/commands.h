@@ -5,6 +5,7 @@
 
 #include "demos/commands/words.h"
 #include "demos/options/choices.h"
+#include "demos/reports/study.h"
 #include "demos/runs/recorder.h"
 
 #include <optional>
@@ -74,13 +75,8 @@ struct Figures {
 
 struct Report {
     std::string name;
-    std::vector<std::string> parts;  // all when empty
-    bool quick = false;
-    std::optional<std::string> out, junit, markdown, beside, exported;
-    std::optional<Shard> shard;
-    std::optional<int> jobs;
-    std::optional<std::string> grid, x, y, measure;
-    std::vector<std::string> set, replays;
+    std::optional<std::string> out;
+    reports::StudyRequest request{};  // without folders and note
 
     bool operator==(const Report&) const = default;
 };

@@ -1,7 +1,6 @@
 #include "demos/commands/report.h"
 #include "demos/platform/output_file.h"
 #include "demos/platform/shell_words.h"
-#include "demos/reports/pieces.h"
 #include "demos/reports/study.h"
 #include "demos/text/errors.h"
 #include "demos/text/shard.h"
@@ -17,13 +16,12 @@ namespace pushfactor::demos::commands {
 namespace {
 
 namespace fs = std::filesystem;
-using reports::PieceStore;
 
 // The only version of all folders, which is that of this program.
 void require_one_version(const std::vector<fs::path>& folders) {
     std::map<std::string, fs::path> versions;
     for (const fs::path& folder : folders) {
-        const std::set<std::string> here = PieceStore::versions_in(folder);
+        const std::set<std::string> here = reports::piece_versions_in(folder);
         if (here.empty()) {
             throw UsageError("merge {}: must have pieces, as `report NAME --shard K/N --out {}` makes them",
                              folder.string(), folder.string());
@@ -37,13 +35,13 @@ void require_one_version(const std::vector<fs::path>& folders) {
                          in_first.string(), last, in_last.string());
     }
     const auto& [version, place] = *versions.begin();
-    if (version == PieceStore::version_folder()) return;
+    if (version == reports::piece_version()) return;
     throw UsageError("merge {}: must be of the version of this program, {}", place.string(),
-                     PieceStore::version_folder());
+                     reports::piece_version());
 }
 
 ReportNote read_note(const fs::path& folder) {
-    const auto text = PieceStore::note_of(folder);
+    const auto text = reports::piece_note_in(folder);
     const Json json = text ? json_or_null(*text) : Json();
     const bool sound = json.is_object() && json.contains("words") && json["words"].is_array() &&
                        json["words"].size() >= 2 &&

@@ -17,43 +17,33 @@ namespace pushfactor::demos::commands {
 namespace {
 
 // The command without what does not change results: that of the whole report.
-std::vector<std::string> deciding_words(const Report& request) {
-    std::vector<std::string> words{"report", request.name};
-    const auto add = [&words](const char* option, const std::optional<std::string>& value) {
-        if (value) words.insert(words.end(), {option, *value});
+std::vector<std::string> deciding_words(const Report& report) {
+    const reports::StudyRequest& request = report.request;
+    std::vector<std::string> words{"report", report.name};
+    const auto add = [&words](const char* option, const std::string& value) {
+        words.insert(words.end(), {option, value});
     };
     if (request.quick) words.emplace_back("--quick");
     if (!request.parts.empty()) add("--only", fmt::format("{}", fmt::join(request.parts, ",")));
-    add("--beside", request.beside);
-    add("--grid", request.grid);
-    add("--x", request.x);
-    add("--y", request.y);
-    add("--measure", request.measure);
-    for (const std::string& text : request.set) add("--set", text);
-    if (!request.replays.empty()) add("--replays", fmt::format("{}", fmt::join(request.replays, ",")));
+    if (request.beside) add("--beside", request.beside->string());
+    if (!request.grid) return words;
+    const auto& [scene, x, y, measure, set, replays] = *request.grid;
+    add("--grid", scene);
+    add("--x", x);
+    add("--y", y);
+    if (measure) add("--measure", *measure);
+    for (const std::string& text : set) add("--set", text);
+    if (!replays.empty()) add("--replays", fmt::format("{}", fmt::join(replays, ",")));
     return words;
 }
 
-// Absent without --grid.
-std::optional<reports::GridRequest> understand_grid(const Report& request) {
-    if (!request.grid) return std::nullopt;
-    if (!find_scene(*request.grid) && !request.grid->ends_with(".json")) {
-        understand(*request.grid, {});  // says what scenes there are
-    }
-    return reports::GridRequest{.scene = *request.grid,
-                                .x = *request.x,
-                                .y = *request.y,
-                                .measure = request.measure.value_or("max_penetration_m"),
-                                .set = request.set,
-                                .replays = request.replays};
-}
-
 // A part has a folder of its own: its page and tables would replace those of the whole.
-std::string folder_of(const Report& request) {
-    const std::string part = request.grid            ? "-grid"
-                             : request.parts.empty() ? ""
-                                                     : fmt::format("-{}", fmt::join(request.parts, "-"));
-    return request.out.value_or("out/report-" + request.name + part);
+std::string folder_of(const Report& report) {
+    const auto& parts = report.request.parts;
+    const std::string part = report.request.grid ? "-grid"
+                             : parts.empty()     ? ""
+                                                 : fmt::format("-{}", fmt::join(parts, "-"));
+    return report.out.value_or("out/report-" + report.name + part);
 }
 
 reports::Study find_study(const std::string& name) {
@@ -66,29 +56,23 @@ reports::Study find_study(const std::string& name) {
 
 }  // namespace
 
-void make_report(const Report& request, const std::vector<std::filesystem::path>& merged) {
-    const reports::Study study = find_study(request.name);
-    const auto& shard = request.shard;
-    const std::filesystem::path folder = folder_of(request);
-    require_own_endings(folder, request.junit, request.markdown);
-    const auto count = make_study(
-        study, {.folder = folder,
-                .quick = request.quick,
-                .beside = request.beside,
-                .exported = request.exported,
-                .parts = request.parts,
-                .junit = request.junit,
-                .markdown = request.markdown,
-                .grid = understand_grid(request),
-                .shard = shard,
-                .jobs = request.jobs,
-                .merged = merged,
-                .note = note_text({.words = deciding_words(request), .shards = shard ? shard->count : 1})});
-    if (shard) {
-        print(fmt::format("shard {}: {} pieces, of which {} were there; in {}\n", to_text(*shard), count.all,
-                          count.there, folder.string()));
+void make_report(const Report& report, const std::vector<std::filesystem::path>& merged) {
+    const reports::Study study = find_study(report.name);
+    reports::StudyRequest request = report.request;
+    request.folder = folder_of(report);
+    request.merged = merged;
+    request.note = note_text({.words = deciding_words(report), .shards = request.shard ? request.shard->count : 1});
+    require_own_endings(request.folder, request.junit, request.markdown);
+    const auto& grid = request.grid;
+    if (grid && !find_scene(grid->scene) && !grid->scene.ends_with(".json")) {
+        understand(grid->scene, {});  // says what scenes there are
+    }
+    const auto count = make_study(study, request);
+    if (request.shard) {
+        print(fmt::format("shard {}: {} pieces, of which {} were there; in {}\n", to_text(*request.shard),
+                          count.all, count.there, request.folder.string()));
     } else {
-        print((folder / "index.html").string() + "\n");
+        print((request.folder / "index.html").string() + "\n");
     }
 }
 
@@ -144,43 +128,40 @@ AnyCommand read_any_report(Words& words) {
 
 Report read_report(Words& words, const std::string& name) {
     const reports::Study study = find_study(name);
-    Report command;
-    command.name = name;
-    command.out = words.take("out");
+    Report command{.name = name, .out = words.take("out")};
+    reports::StudyRequest& request = command.request;
     for (const char* const option : {"shard", "jobs"}) {
         words.take(option, study.pieces != nullptr, "with report error, stability or atlas");
     }
-    command.shard = words.take_shard("shard");
-    command.jobs = words.take_whole("jobs", 1, 1024);
-    const bool page = !command.shard;
-    command.grid = words.take("grid", name == "atlas", "with report atlas");
-    for (const auto& [option, value] :
-         {std::pair{"x", &command.x}, std::pair{"y", &command.y}, std::pair{"measure", &command.measure}}) {
-        *value = words.take(option, command.grid.has_value(), "with --grid SCENE");
+    request.shard = words.take_shard("shard");
+    request.jobs = words.take_whole("jobs", 1, 1024);
+    const bool page = !request.shard;
+    const auto scene = words.take("grid", name == "atlas", "with report atlas");
+    const bool grid = scene.has_value();
+    constexpr const char* with_grid = "with --grid SCENE";
+    const auto x = words.take("x", grid, with_grid), y = words.take("y", grid, with_grid),
+               measure = words.take("measure", grid, with_grid);
+    words.take("set", grid, with_grid);
+    const auto set = words.take_all("set"), replays = take_list(words, "replays", grid, with_grid);
+    if (grid && (!x || !y)) {
+        throw UsageError("--grid {}: must be with --x OPTION=VALUES and --y OPTION=VALUES", *scene);
     }
-    if (words.take("set", command.grid.has_value(), "with --grid SCENE")) command.set = words.take_all("set");
-    command.replays = take_list(words, "replays", command.grid.has_value(), "with --grid SCENE");
-    if (command.grid && (!command.x || !command.y)) {
-        throw UsageError("--grid {}: must be with --x OPTION=VALUES and --y OPTION=VALUES", *command.grid);
-    }
-    command.quick = words.take("quick", !command.grid, "without --grid, which says all values").has_value();
-    command.parts = take_list(words, "only", !command.grid, "without --grid, which is one map");
-    for (const std::string& part : command.parts) require_known("--only", part, study.parts);
-    const auto makes = [&](const char* report, const char* part) {
-        const auto& parts = command.parts;
-        return name == report && (parts.empty() || std::ranges::find(parts, part) != parts.end());
-    };
-    const bool frozen = makes("error", "frozen"), tosses = makes("reality", "tosses");
-    command.beside =
+    if (grid) request.grid = {*scene, *x, *y, measure, set, replays};
+    request.quick = words.take("quick", !grid, "without --grid, which says all values").has_value();
+    request.parts = take_list(words, "only", !grid, "without --grid, which is one map");
+    for (const std::string& part : request.parts) require_known("--only", part, study.parts);
+    const bool frozen = name == "error" && request.wants("frozen");
+    const bool tosses = name == "reality" && request.wants("tosses");
+    request.beside =
         words.take("beside", name == "error" || tosses, "with report error, or the tosses of report reality");
     words.take("export", page, "without --shard");
-    command.exported = words.take("export", frozen, "with report error, the only one that has frozen problems");
+    request.exported = words.take("export", frozen, "with report error, the only one that has frozen problems");
     for (const auto& [option, value] :
-         {std::pair{"junit", &command.junit}, std::pair{"markdown", &command.markdown}}) {
+         {std::pair{"junit", &request.junit}, std::pair{"markdown", &request.markdown}}) {
         words.take(option, study.judges, "with report stability, which judges");
         *value = words.take(option, page, "with report merge, not with --shard");
     }
-    require_own_endings(folder_of(command), command.junit, command.markdown);
+    require_own_endings(folder_of(command), request.junit, request.markdown);
     words.refuse_rest("report " + name);
     return command;
 }

@@ -14,6 +14,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <set>
 
 namespace pushfactor::demos::reports {
 
@@ -56,58 +57,57 @@ Pieces error_pieces(const StudyRequest& request) {
     return pieces;
 }
 
-using MakeWork = std::function<double(const Method&, const ErrorPoint&)>;
-
-std::vector<WorkLine> lines_of(const Experiment& sweep, std::span<const ErrorPoint> points, const MakeWork& work) {
-    std::vector<WorkLine> lines;
-    for (const Method& method : sweep.methods) {
-        WorkLine& line = lines.emplace_back(WorkLine{method.name, method.colour, method.dash, method.mark});
-        for (const ErrorPoint& point : points) {
-            if (point.method == method.name)
-                line.points.push_back({point.error(), work(method, point), point.value, point.failed});
-        }
-    }
-    return lines;
-}
-
 // Moves of all bodies per simulated second.
 double moves_at(const Experiment& sweep, const Method& method, const std::string& value) {
     const Settings settings = run_at(sweep, method, value).settings;
     return method.moves * settings.substeps.value_or(1) / settings.dt.value();
 }
 
+// Over work, or over CPU time.
+std::vector<WorkLine> lines_of(const Experiment& sweep, std::span<const ErrorPoint> points, bool over_time) {
+    std::vector<WorkLine> lines;
+    for (const Method& method : sweep.methods) {
+        WorkLine& line = lines.emplace_back(WorkLine{method.name, method.colour, method.dash, method.mark});
+        for (const ErrorPoint& point : points) {
+            if (point.method != method.name) continue;
+            const double work = over_time      ? point.cpu.median
+                                : sweep.solves ? point.multiply_adds
+                                               : moves_at(sweep, method, point.value);
+            line.points.push_back({point.error(), work, point.value, point.failed});
+        }
+    }
+    return lines;
+}
+
 // Error ~ work^-order through the second point of a method: the first step is often too large for its order.
-TheoryLine power_line(double order, const WorkPoint& through) {
-    TheoryLine theory{.label = fmt::format("order {:g}", order)};
+WorkLine power_line(double order, const WorkPoint& through) {
+    WorkLine theory{.name = fmt::format("order {:g}", order)};
     for (double exponent = -6.0; exponent <= 6.0; exponent += 0.05) {
         const double factor = std::pow(10.0, exponent);
-        theory.points.emplace_back(through.error * std::pow(factor, -order), through.work * factor);
+        theory.points.push_back({through.error * std::pow(factor, -order), through.work * factor});
     }
     return theory;
 }
 
 // Error ~ contraction^sweeps, work ~ sweeps, through a point after some sweeps.
-TheoryLine contraction_line(double contraction, const WorkPoint& through) {
+WorkLine contraction_line(double contraction, const WorkPoint& through) {
     const double sweeps = std::stod(through.label);
-    TheoryLine theory{.label = "cos^2(pi/2n) a sweep"};
+    WorkLine theory{.name = "cos^2(pi/2n) a sweep"};
     for (double share = 0.02; share <= 20.0; share *= 1.02) {
-        theory.points.emplace_back(through.error * std::pow(contraction, sweeps * (share - 1.0)),
-                                   through.work * share);
+        theory.points.push_back(
+            {through.error * std::pow(contraction, sweeps * (share - 1.0)), through.work * share});
     }
     return theory;
 }
 
-std::vector<TheoryLine> theory_of(const Experiment& sweep, const std::vector<WorkLine>& lines) {
-    std::vector<TheoryLine> theory;
-    std::vector<double> orders;
+std::vector<WorkLine> theory_of(const Experiment& sweep, const std::vector<WorkLine>& lines) {
+    std::vector<WorkLine> theory;
+    std::set<double> orders;
     for (std::size_t i = 0; i < sweep.methods.size(); ++i) {
         const Method& method = sweep.methods[i];
         if (lines[i].points.size() < 2) continue;
-        const bool known = std::find(orders.begin(), orders.end(), method.order) != orders.end();
-        if (method.order > 0.0 && !known && !lines[i].points[1].failed) {
+        if (method.order > 0.0 && !lines[i].points[1].failed && orders.insert(method.order).second)
             theory.push_back(power_line(method.order, lines[i].points[1]));
-            orders.push_back(method.order);
-        }
         if (sweep.contraction > 0.0 && method.name == "pgs") {
             // Late enough for only the slowest mode of the error to be left, early enough to be above rounding.
             const auto& points = lines[i].points;
@@ -177,16 +177,13 @@ class ErrorReport {
                       .error_axis = sweep.error_axis,
                       .work_axis = sweep.solves ? "work of the solver [multiply-adds] a simulated second"
                                                 : "moves of the bodies a simulated second",
-                      .machine = run_.machine()};
-        plot.lines = lines_of(sweep, points, [&](const Method& method, const ErrorPoint& point) {
-            return sweep.solves ? point.multiply_adds : moves_at(sweep, method, point.value);
-        });
+                      .machine = run_.machine(),
+                      .lines = lines_of(sweep, points, false)};
         plot.theory = theory_of(sweep, plot.lines);
         draw_work_plot(plot, run_.folder(), plate);
         plot.name = plain_name("error_cpu_" + sweep.name, '_');
         plot.work_axis = "CPU time [s] a simulated second";
-        plot.lines =
-            lines_of(sweep, points, [](const Method&, const ErrorPoint& point) { return point.cpu.median; });
+        plot.lines = lines_of(sweep, points, true);
         plot.theory.clear();  // part of the CPU time does not depend on the knob
         draw_work_plot(plot, run_.folder(), plate);
         add_answer(sweep, plot.lines, plate);

@@ -95,49 +95,29 @@ renderer::Image draw(pictures::OffscreenRenderer& offscreen, const pictures::Siz
     }
 }
 
-// Thumbnails of the last states of a chapter's runs, on one sheet.
-class Gallery {
-  public:
-    // Pictures are written to `folder`. Without an offscreen context there are none.
-    explicit Gallery(const std::filesystem::path& folder) {
-        try {
-            output_ = std::make_unique<figures::FigureOutput>(
-                folder, FigureFormat{.width = columns * thumbnail.width, .samples = samples});
-        } catch (const renderer::RendererError& error) {
-            missing_ = error.what();
-        }
+// Thumbnails of the last states of a chapter's runs, on one sheet: writes NAME.png and returns that name; empty if
+// no run has a last state. Throws OutputError.
+std::string hang(figures::FigureOutput& output, const std::string& name, std::span<const Trial> trials) {
+    std::vector<const Trial*> shown;
+    for (const Trial& trial : trials) {
+        if (std::filesystem::exists(trial.state())) shown.push_back(&trial);
     }
-
-    // The reason why there are no pictures, one line; empty if there are.
-    const std::string& missing() const { return missing_; }
-
-    // Writes NAME.png and returns that name; empty without pictures. Throws OutputError.
-    std::string hang(const std::string& name, std::span<const Trial> trials) {
-        std::vector<const Trial*> shown;
-        for (const Trial& trial : trials) {
-            if (output_ && std::filesystem::exists(trial.state())) shown.push_back(&trial);
-        }
-        if (shown.empty()) return {};
-        const int across = std::min(columns, static_cast<int>(shown.size()));
-        const int rows = (static_cast<int>(shown.size()) + across - 1) / across;
-        const pictures::Layout layout =
-            pictures::grid({across * thumbnail.width, rows * thumbnail.height}, across, rows);
-        std::vector<renderer::Image> images;
-        for (const Trial* trial : shown) images.push_back(draw(output_->offscreen(), layout.cell, *trial));
-        renderer::Image sheet = pictures::assemble(layout, images);
-        for (std::size_t i = 0; i < shown.size(); ++i) {
-            const Trial& trial = *shown[i];
-            const std::string label = fmt::format("{}, {}: {}{}", trial.one().name, trial.expected().preset,
-                                                  trial.outcome(), trial.holds() ? "" : " (not as expected)");
-            output_->offscreen().lettering().name(sheet, layout.place(i), label, letters);
-        }
-        return output_->save(sheet, name);
+    if (shown.empty()) return {};
+    const int count = static_cast<int>(shown.size()), across = std::min(columns, count);
+    const int rows = (count + across - 1) / across;
+    const pictures::Layout layout =
+        pictures::grid({across * thumbnail.width, rows * thumbnail.height}, across, rows);
+    std::vector<renderer::Image> images;
+    for (const Trial* trial : shown) images.push_back(draw(output.offscreen(), layout.cell, *trial));
+    renderer::Image sheet = pictures::assemble(layout, images);
+    for (std::size_t i = 0; i < shown.size(); ++i) {
+        const Trial& trial = *shown[i];
+        const std::string label = fmt::format("{}, {}: {}{}", trial.one().name, trial.expected().preset,
+                                              trial.outcome(), trial.holds() ? "" : " (not as expected)");
+        output.offscreen().lettering().name(sheet, layout.place(i), label, letters);
     }
-
-  private:
-    std::string missing_;
-    std::unique_ptr<figures::FigureOutput> output_;
-};
+    return output.save(sheet, name);
+}
 
 // "|acceleration_m_per_s2 - 0.4063| / 2"
 std::string text_of_measure(const Check& check) {
@@ -215,7 +195,14 @@ Pieces stability_pieces(const StudyRequest& request) {
 
 class StabilityReport {
   public:
-    explicit StabilityReport(StudyRun& run) : run_(run), gallery_(run.folder()) {}
+    explicit StabilityReport(StudyRun& run) : run_(run) {
+        try {
+            pictures_ = std::make_unique<figures::FigureOutput>(
+                run.folder(), FigureFormat{.width = columns * thumbnail.width, .samples = samples});
+        } catch (const renderer::RendererError& error) {
+            no_pictures_ = fmt::format(" There are no pictures: {}", error.what());
+        }
+    }
 
     void make() {
         const std::vector<Chapter> all = chapters_of(run_.request());
@@ -228,8 +215,7 @@ class StabilityReport {
                         "gives under \"expected\" the value that is reached. {} runs, {} numbers beyond their bar, "
                         "{} not as expected. The numbers are in stability.csv. Made with {}.{}{}",
                         trials_, missed_bars_, unexpected_.size(), run_.machine(),
-                        run_.quick() ? " This is the quick report: the short cases." : "",
-                        gallery_.missing().empty() ? "" : " There are no pictures: " + gallery_.missing()));
+                        run_.quick() ? " This is the quick report: the short cases." : "", no_pictures_));
         const std::string headline =
             unexpected_.empty() ? fmt::format("{} runs are as expected", trials_)
                                 : fmt::format("{} of {} runs are not as expected", unexpected_.size(), trials_);
@@ -267,13 +253,14 @@ class StabilityReport {
         // The verdict says on the page what the column `holds` says in the file.
         content.table = page_lines(
             own, {verdict_column, "case", "preset", "outcome", "expected", "measure", "value", "bar", "command"});
-        const std::string picture = gallery_.hang(chapter.name, trials);
+        const std::string picture = pictures_ ? hang(*pictures_, chapter.name, trials) : "";
         if (!picture.empty()) content.pictures.push_back(picture);
         run_.sections.push_back({chapter.name, chapter.heading, content});
     }
 
     StudyRun& run_;
-    Gallery gallery_;
+    std::unique_ptr<figures::FigureOutput> pictures_;  // none without an offscreen context
+    std::string no_pictures_;                          // says why
     Table table_{{"case", "preset", "outcome", "expected", "measure", "value", "bar", "holds", "command"}};
     std::vector<SuiteVerdict> suites_;  // one per chapter, with a case per run
     std::size_t trials_ = 0;

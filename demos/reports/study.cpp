@@ -1,14 +1,18 @@
 #include "demos/reports/study.h"
 
+#include "demos/pictures/replay/replay.h"
 #include "demos/platform/output_file.h"
+#include "demos/platform/plain_name.h"
 #include "demos/platform/processors.h"
 #include "demos/platform/version.h"
+#include "demos/scenes/scene_file.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <ctime>
 #include <fstream>
 #include <future>
@@ -19,6 +23,59 @@
 namespace pushfactor::demos::reports {
 
 namespace {
+
+namespace fs = std::filesystem;
+
+std::string version_of_pieces() {
+    static const std::string version = version_text();
+    const bool exact = version.find("-dirty") == std::string::npos && version.find("unknown") == std::string::npos;
+    // Content, because another build of modified sources has the same version.
+    static const std::string content =
+        exact ? "" : fmt::format(", program {:016x}", text_hash(read_bytes_of("/proc/self/exe").value_or("")));
+    return version + content;
+}
+
+fs::path folder_of_pieces(const fs::path& folder) {
+    return folder / "pieces" / piece_version();
+}
+
+fs::path place_of(const fs::path& folder, const std::string& key) {
+    const std::string name = fmt::format("{:016x}", text_hash(key));
+    return folder_of_pieces(folder) / name.substr(0, 2) / (name.substr(2) + ".json");
+}
+
+// The JSON of a whole piece of this version; none if it is missing or damaged.
+std::optional<Json> find_piece(const std::vector<fs::path>& folders, const std::string& key) {
+    for (const fs::path& folder : folders) {
+        const auto text = read_bytes_of(place_of(folder, key));
+        if (!text) continue;
+        Json json = json_or_null(*text);
+        const bool whole = json.is_object() && json.value("key", "") == key && json.contains("result") &&
+                           json.value("made_with", "") == version_of_pieces();
+        if (whole) return json;
+    }
+    return std::nullopt;
+}
+
+void write_into_folder(const fs::path& path, const std::string& text) {
+    make_folder_of(path);
+    write_file(path, text);
+}
+
+// The content of a scene that is a file, with everything that it includes. Read once, as a report has many runs of
+// it.
+std::string content_of(const std::string& scene) {
+    static std::mutex mutex;
+    static std::map<std::string, std::string> known;
+    const std::lock_guard lock(mutex);
+    std::string& content = known[scene];
+    if (content.empty()) {
+        const Choices choices = run_of(scene, {});
+        content =
+            fmt::format("{} {:016x}", choices.description.name, text_hash(scene_file_text(spelled_out(choices))));
+    }
+    return content;
+}
 
 #ifdef __clang__
 constexpr const char* compiler = "clang " __clang_version__;
@@ -77,11 +134,73 @@ void make_pieces(const std::vector<const Piece*>& pieces, std::size_t jobs,
 
 }  // namespace
 
+std::string run_key(const std::string& scene, const OptionTexts& options) {
+    return command_text("run", find_scene(scene) ? scene : content_of(scene), options);
+}
+
+Json json_number(double value) {
+    if (std::isfinite(value)) return value;
+    return std::isnan(value) ? "nan" : value > 0.0 ? "inf" : "-inf";
+}
+
+double number_in(const Json& json) {
+    return json.is_string() ? std::stod(json.get_ref<const std::string&>()) : json.get<double>();
+}
+
+Json json_numbers(const std::vector<double>& values) {
+    Json json = Json::array();
+    for (const double value : values) json.push_back(json_number(value));
+    return json;
+}
+
+std::vector<double> numbers_in(const Json& json) {
+    std::vector<double> values;
+    for (const Json& one : json) values.push_back(number_in(one));
+    return values;
+}
+
+std::string replay_of(const std::string& scene, const OptionTexts& options, const StopCheck& check) {
+    const StagedFile file(std::filesystem::temp_directory_path() / "replay", ".html");  // removed at the end
+    const Choices choices = run_of(scene, options);
+    Session session({.panels = {{.label = "", .choices = choices}}, .frames = {pictures::replay_frames(choices)}});
+    pictures::Replay replay({.file = file.path(),
+                             .poses_only = true,
+                             .command = command_text("run", scene, options) + " --replay replay.html"},
+                            session);
+    try {
+        session.play({&replay}, [&](const Simulation&) {
+            check();
+            return true;
+        });
+        replay.finish();
+    } catch (const NonFiniteError& error) {
+        replay.finish(error.what());
+    }
+    return read_bytes_of(file.path()).value_or("");
+}
+
+std::optional<std::string> piece_note_in(const fs::path& folder) {
+    return read_bytes_of(folder_of_pieces(folder) / "report.json");
+}
+
+std::string piece_version() {
+    return plain_name(version_of_pieces(), '-', ".");  // "0.1.0-commit-0123456789ab"
+}
+
+std::set<std::string> piece_versions_in(const fs::path& folder) {
+    std::set<std::string> versions;
+    std::error_code error;
+    for (const auto& entry : fs::directory_iterator(folder / "pieces", error)) {
+        if (entry.is_directory()) versions.insert(entry.path().filename());
+    }
+    return versions;
+}
+
 StudyRun::StudyRun(const Study& study, StudyRequest request)
     : study_(study),
       request_(std::move(request)),
       machine_(about_line()),
-      store_(request_.merged.empty() ? std::vector{request_.folder} : request_.merged, machine_) {
+      stores_(request_.merged.empty() ? std::vector{request_.folder} : request_.merged) {
     make_folder(request_.folder);
 }
 
@@ -96,9 +215,11 @@ void StudyRun::count_run() {
     bar_->show(static_cast<long>(++done_));
 }
 
-void StudyRun::stop_if_interrupted() const {
-    demos::stop_if_interrupted(
-        fmt::format("{} of {} runs are in {}{}", done_.load(), runs_, folder().string(), hint_));
+StopCheck StudyRun::check() const {
+    return [this] {
+        stop_if_interrupted(
+            fmt::format("{} of {} runs are in {}{}", done_.load(), runs_, folder().string(), hint_));
+    };
 }
 
 void StudyRun::gather(const Pieces& pieces) {
@@ -108,9 +229,9 @@ void StudyRun::gather(const Pieces& pieces) {
     for (const Piece& piece : pieces) {
         if (request_.shard && !request_.shard->takes(text_hash(piece.key))) continue;
         ++count_.all;
-        if (const auto found = store_.find(piece.key)) {
+        if (const auto found = find_piece(stores_, piece.key)) {
             ++count_.there;
-            machines.insert(found->machine);
+            machines.insert(found->value("machine", ""));
         } else {
             missing.push_back(&piece);
         }
@@ -121,12 +242,16 @@ void StudyRun::gather(const Pieces& pieces) {
         throw MissingPieces(fmt::format("{} of {} pieces are missing", missing.size(), pieces.size()), keys);
     }
     if (!merges) {
-        store_.put_note(request_.note);
+        if (piece_note_in(folder()) != request_.note)
+            write_into_folder(folder_of_pieces(folder()) / "report.json", request_.note);
         begin(count_.all, count_.there, "; the same command resumes from there");
         std::mutex mutex;
-        const auto keep = [&](const Piece& piece, const Json& result) {
+        const auto keep = [&, here = about_line()](const Piece& piece, const Json& result) {
             const bool failed = result.is_object() && result.contains("failed");
-            if (!failed) store_.put(piece.key, result);
+            const Json json{
+                {"key", piece.key}, {"made_with", version_of_pieces()}, {"machine", here}, {"result", result}};
+            // In a file with a name of its own that is renamed: a piece that is there is whole.
+            if (!failed) write_into_folder(place_of(folder(), piece.key), json_text(json, -1) + "\n");
             const std::lock_guard lock(mutex);
             if (failed) failures_[piece.key] = result;
             count_run();
@@ -141,9 +266,8 @@ void StudyRun::gather(const Pieces& pieces) {
 
 std::optional<Json> StudyRun::find(const std::string& key) const {
     if (const auto failed = failures_.find(key); failed != failures_.end()) return failed->second;
-    auto found = store_.find(key);
-    if (!found) return std::nullopt;
-    return std::move(found->result);
+    auto found = find_piece(stores_, key);
+    return found ? std::optional<Json>(std::move(found->at("result"))) : std::nullopt;
 }
 
 Json StudyRun::result(const std::string& key) const {

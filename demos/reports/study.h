@@ -1,24 +1,65 @@
 // Studies: many runs, compared or judged, as tables and plots on one page. The common part of all reports.
 #pragma once
 
+#include "demos/options/named_run.h"
 #include "demos/pages/page.h"
 #include "demos/pages/table.h"
 #include "demos/pages/verdict_files.h"
 #include "demos/platform/progress.h"
-#include "demos/reports/pieces.h"
 #include "demos/runs/session.h"
+#include "demos/text/json.h"
 #include "demos/text/shard.h"
+#include "demos/text/text_hash.h"
 
 #include <atomic>
 #include <filesystem>
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
 
 namespace pushfactor::demos::reports {
+
+// Pieces: the independent results that a report is made of. Each can be made alone, on any machine, and is kept in
+// a JSON file,
+//
+//   FOLDER/pieces/VERSION/ab/0123456789abcd.json     ab0123456789abcd: hash of the key
+//   {"key": "...", "made_with": "...", "machine": "...", "result": ...}
+//
+// VERSION is that of the program, so that no version ever uses the pieces of another. A program that was built from
+// modified or unknown sources adds a hash of its own file.
+struct Piece {
+    // One line that names report, experiment and every option that decides the result. Its text_hash() decides the
+    // shard and the file.
+    std::string key;
+
+    // Makes the result, on any thread. One with a member "failed" (a text) is not stored: it is made again next
+    // time.
+    std::function<Json(const StopCheck& check)> make;
+};
+using Pieces = std::vector<Piece>;
+
+// Key of a run of a scene of the catalogue, of a file in assets/scenes, or of the file "PATH.json": its options,
+// and of a file its content, not its path.
+std::string run_key(const std::string& scene, const OptionTexts& options);
+
+// JSON has no infinity and no NaN: these become texts. Readers throw std::exception for JSON of another form.
+Json json_number(double value);
+double number_in(const Json& json);
+Json json_numbers(const std::vector<double>& values);
+std::vector<double> numbers_in(const Json& json);
+
+// The page that plays the run, with poses only.
+std::string replay_of(const std::string& scene, const OptionTexts& options, const StopCheck& check);
+
+// Of the pieces in a folder: their versions, and this one, as folders are named; and the text about them that lies
+// beside those of this version: what request they are for.
+std::set<std::string> piece_versions_in(const std::filesystem::path& folder);
+std::string piece_version();
+std::optional<std::string> piece_note_in(const std::filesystem::path& folder);
 
 class StudyRun;
 struct StudyRequest;
@@ -38,9 +79,12 @@ struct Study {
 
 // A map of the atlas over any two options of any scene, as texts of the command line.
 struct GridRequest {
-    std::string scene, x, y, measure;
-    std::vector<std::string> set{};      // "OPTION=VALUE", of all cells
-    std::vector<std::string> replays{};  // "X:Y", or "all"
+    std::string scene, x, y;
+    std::optional<std::string> measure{};  // the deepest overlap without
+    std::vector<std::string> set{};        // "OPTION=VALUE", of all cells
+    std::vector<std::string> replays{};    // "X:Y", or "all"
+
+    bool operator==(const GridRequest&) const = default;
 };
 
 struct StudyRequest {
@@ -57,6 +101,8 @@ struct StudyRequest {
     std::optional<int> jobs{};                    // pieces at once
     std::vector<std::filesystem::path> merged{};  // if not empty: make no piece, find all in these folders
     std::string note{};                           // stored with the pieces: what request they are for
+
+    bool operator==(const StudyRequest&) const = default;
 
     bool wants(const std::string& part) const {
         return parts.empty() || std::ranges::find(parts, part) != parts.end();
@@ -92,10 +138,7 @@ class StudyRun {
     // Sets the number of runs and of those already done; `hint` ends the message of an interruption.
     void begin(std::size_t runs, std::size_t done = 0, std::string hint = "");
     void count_run();
-    void stop_if_interrupted() const;
-    StopCheck check() const {
-        return [this] { stop_if_interrupted(); };
-    }
+    StopCheck check() const;
 
     // Makes the pieces that are missing, or those of the share; throws MissingPieces where none may be made.
     void gather(const Pieces& pieces);
@@ -126,8 +169,8 @@ class StudyRun {
     const Study& study_;
     StudyRequest request_;
     std::string machine_;
-    PieceStore store_;
-    std::map<std::string, Json> failures_;  // of this process, by key
+    std::vector<std::filesystem::path> stores_;  // pieces are looked for in all of them
+    std::map<std::string, Json> failures_;       // of this process, by key
     Count count_;
     std::optional<ProgressBar> bar_;
     std::size_t runs_ = 0;

@@ -33,16 +33,8 @@ OptionTexts options(const std::string& text) {
 }
 
 Method method(const std::string& name, const std::string& differs, const char* knob, const char* colour,
-              int dash = solid, int mark = filled_circle) {
-    return {name, options(differs), knob, colour, dash, mark};
-}
-
-Method over_dt(const char* name, const char* differs, const char* colour, int dash, int mark, double order,
-               int moves = 1) {
-    Method one = method(name, differs, "dt", colour, dash, mark);
-    one.order = order;
-    one.moves = moves;
-    return one;
+              int dash = solid, int mark = filled_circle, double order = 0.0, int moves = 1) {
+    return {name, options(differs), knob, colour, dash, mark, order, moves};
 }
 
 Methods operator+(Methods all, const Methods& more) {
@@ -99,23 +91,23 @@ Methods of_the_wall(bool quick) {
 }
 
 const Methods integrators{
-    over_dt("beta 0.2, no kick", "distance-beta=0.2 start-kick=off", "vermilion", dashed, filled_square, 1),
-    over_dt("beta 1, no kick", "start-kick=off", "vermilion", solid, filled_circle, 1),
-    over_dt("beta 1, half kick", "", "blue", solid, filled_circle, 2),
-    over_dt("single-frame, half kick", "distance-push=single-frame", "blue", dashed, filled_square, 1),
-    over_dt("rattle", "scheme=rattle", "green", solid, filled_triangle, 2),
-    over_dt("rattle4", "scheme=rattle4", "orange", solid, filled_triangle, 4),
-    over_dt("rattle6", "scheme=rattle6", "violet", solid, filled_triangle, 6)};
+    method("beta 0.2, no kick", "distance-beta=0.2 start-kick=off", "dt", "vermilion", dashed, filled_square, 1),
+    method("beta 1, no kick", "start-kick=off", "dt", "vermilion", solid, filled_circle, 1),
+    method("beta 1, half kick", "", "dt", "blue", solid, filled_circle, 2),
+    method("single-frame, half kick", "distance-push=single-frame", "dt", "blue", dashed, filled_square, 1),
+    method("rattle", "scheme=rattle", "dt", "green", solid, filled_triangle, 2),
+    method("rattle4", "scheme=rattle4", "dt", "orange", solid, filled_triangle, 4),
+    method("rattle6", "scheme=rattle6", "dt", "violet", solid, filled_triangle, 6)};
 
 // For bodies without contacts. rattle would equal the half kick.
 const Methods free_motions{
-    over_dt("splitting, no kick", "start-kick=off", "blue", dashed, filled_square, 1),
-    over_dt("splitting, half kick", "", "blue", solid, filled_circle, 2),
-    over_dt("exponential, half kick", "rotation=exponential", "green", solid, filled_circle, 1),
-    over_dt("paper, half kick", "rotation=paper", "vermilion", dotted, filled_circle, 1),
-    over_dt("paper, no kick", "rotation=paper start-kick=off", "vermilion", dashed, filled_square, 1),
-    over_dt("rattle4", "scheme=rattle4 start-kick=off", "orange", solid, filled_triangle, 4, 5),
-    over_dt("rattle6", "scheme=rattle6 start-kick=off", "violet", solid, filled_triangle, 6, 7)};
+    method("splitting, no kick", "start-kick=off", "dt", "blue", dashed, filled_square, 1),
+    method("splitting, half kick", "", "dt", "blue", solid, filled_circle, 2),
+    method("exponential, half kick", "rotation=exponential", "dt", "green", solid, filled_circle, 1),
+    method("paper, half kick", "rotation=paper", "dt", "vermilion", dotted, filled_circle, 1),
+    method("paper, no kick", "rotation=paper start-kick=off", "dt", "vermilion", dashed, filled_square, 1),
+    method("rattle4", "scheme=rattle4 start-kick=off", "dt", "orange", solid, filled_triangle, 4, 5),
+    method("rattle6", "scheme=rattle6 start-kick=off", "dt", "violet", solid, filled_triangle, 6, 7)};
 
 Values values_of(const std::string& knob, bool quick) {
     if (knob == "iterations") return words_of(quick ? "1 5 25 100" : "1 2 5 10 25 50 100 250 1000");

@@ -22,25 +22,6 @@ Json numbers_of(const Numbers& numbers) {
     return array;
 }
 
-// The step in which the topmost cube, which falls through all gaps, meets the one below it.
-FrozenMoment landing(const std::string& count, const std::string& seconds) {
-    return {"stack of " + count + ", landing", "stack", {{"count", count}, {"gap", "0.1"}, {"seconds", seconds}}};
-}
-
-// After some time with many iterations, before a tall stack leans.
-FrozenMoment settled(const std::string& count, const std::string& seconds) {
-    return {"stack of " + count + ", settled",
-            "stack",
-            {{"count", count}, {"gap", "-0.0001"}, {"iterations", "200"}, {"seconds", seconds}}};
-}
-
-// Enough substeps for the bars to hold.
-FrozenMoment heavy_chain(const std::string& links, const std::string& substeps) {
-    return {"chain of " + links + ", end 1000 times heavier",
-            "chain",
-            {{"links", links}, {"end-mass", "1000"}, {"substeps", substeps}, {"seconds", "1"}}};
-}
-
 constexpr std::size_t most_rows_of_dense = 200;
 
 Choices member_of(const std::string& family, int seed, const families::GivenValues& values) {
@@ -107,22 +88,29 @@ std::vector<FrozenMoment> hard_moments(bool quick) {
     // The paper's friction bound makes the problem convex, with a unique solution to compare with. No cube of a
     // stack is exactly above the next: symmetry would hide the behaviour of Jacobi.
     const OptionTexts::value_type convex{"friction-model", "paper"};
+    // Landing: the step in which the topmost cube, which falls through all gaps, meets the one below it. Settled:
+    // after some time with many iterations, before a tall stack leans. Chains have enough substeps to hold.
+    const OptionTexts::value_type apart{"gap", "0.1"}, touching{"gap", "-0.0001"}, many{"iterations", "200"},
+        heavy{"end-mass", "1000"};
     std::vector<FrozenMoment> moments{
-        landing("5", "0.32"),
-        settled("5", "2"),
+        {"stack of 5, landing", "stack", {{"count", "5"}, apart, {"seconds", "0.32"}}},
+        {"stack of 5, settled", "stack", {{"count", "5"}, touching, many, {"seconds", "2"}}},
         {"funnel of 20", "funnel", {{"count", "20"}, {"seconds", "5"}, convex}},
         {"pendulum grid", "pendulum-grid", {{"seconds", quick ? "1" : "5"}, convex}},
-        heavy_chain("20", "32"),
-        {"column of 10 spheres", "sphere_column", {{"seconds", "0.02"}}},
-    };
-    if (!quick) {
-        moments.insert(moments.end(), {landing("20", "0.64"),
-                                       landing("100", "1.42"),
-                                       settled("20", "2"),
-                                       settled("100", "0.5"),
-                                       heavy_chain("5", "16"),
-                                       {"funnel of 200", "funnel", {{"count", "200"}, {"seconds", "5"}, convex}}});
-    }
+        {"chain of 20, end 1000 times heavier",
+         "chain",
+         {{"links", "20"}, heavy, {"substeps", "32"}, {"seconds", "1"}}},
+        {"column of 10 spheres", "sphere_column", {{"seconds", "0.02"}}}};
+    const std::vector<FrozenMoment> more{
+        {"stack of 20, landing", "stack", {{"count", "20"}, apart, {"seconds", "0.64"}}},
+        {"stack of 100, landing", "stack", {{"count", "100"}, apart, {"seconds", "1.42"}}},
+        {"stack of 20, settled", "stack", {{"count", "20"}, touching, many, {"seconds", "2"}}},
+        {"stack of 100, settled", "stack", {{"count", "100"}, touching, many, {"seconds", "0.5"}}},
+        {"chain of 5, end 1000 times heavier",
+         "chain",
+         {{"links", "5"}, heavy, {"substeps", "16"}, {"seconds", "1"}}},
+        {"funnel of 200", "funnel", {{"count", "200"}, {"seconds", "5"}, convex}}};
+    if (!quick) moments.insert(moments.end(), more.begin(), more.end());
     for (FrozenMoment& moment : moments) {
         if (moment.scene == "stack")
             moment.options.insert(moment.options.end(), {{"jitter", "0.01"}, {"seed", "1"}, convex});

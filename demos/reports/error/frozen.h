@@ -36,7 +36,7 @@
 #include "demos/options/named_run.h"
 #include "demos/pages/table.h"
 #include "demos/reports/error/work_plot.h"
-#include "demos/reports/pieces.h"
+#include "demos/reports/study.h"
 #include "engine/system/system_equation.h"
 
 #include <string>

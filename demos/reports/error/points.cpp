@@ -171,17 +171,17 @@ std::vector<ErrorPoint> about(std::vector<ErrorPoint> points, const std::string&
 
 std::vector<WorkLine> lines_beside(std::span<const WorkLine> ours, std::span<const ErrorPoint> others) {
     constexpr std::array marks{4, 8, 12, 10, 6};  // gnuplot's open square, triangle, diamond, triangle down, circle
-    std::vector<Trade> trades;
+    std::vector<WorkPoint> points;
     std::vector<const WorkLine*> owners;
     for (const WorkLine& line : ours) {
         for (const WorkPoint& point : line.points) {
             if (point.failed || !std::isfinite(point.error)) continue;
-            trades.push_back({point.error, point.work});
+            points.push_back(point);
             owners.push_back(&line);
         }
     }
     std::set<const WorkLine*> best;  // in the order of `ours`
-    for (const std::size_t trade : pareto_front(trades)) best.insert(owners[trade]);
+    for (const std::size_t i : pareto_front(points)) best.insert(owners[i]);
     std::vector<WorkLine> lines;
     for (const WorkLine* const line : best) lines.push_back(*line);
     struct Engine {

@@ -55,11 +55,8 @@ struct Axes {
     Decades error, work;
     bool failures = false;  // some points failed
 
-    double shown_error(const WorkPoint& point) const {
-        return point.failed ? error.at(1.0) : std::max(point.error, error.at(0.0));
-    }
     Place place(const WorkPoint& point) const {
-        return area.cwiseProduct(Place(error.share(shown_error(point)), work.share(point.work)));
+        return area.cwiseProduct(Place(error.share(point.error), work.share(point.work)));
     }
 };
 
@@ -99,32 +96,28 @@ std::string block(const std::string& what, const std::string& lines) {
 }
 
 std::string front_block(const WorkPlot& plot, const Axes& axes) {
-    std::vector<Trade> trades;
     if (!plot.front) return block("no Pareto front", "");
+    std::vector<WorkPoint> points;
     for (const WorkLine& line : plot.lines) {
-        for (const WorkPoint& point : line.points) {
-            if (!point.failed) trades.push_back({axes.shown_error(point), point.work});
-        }
+        std::ranges::copy_if(line.points, std::back_inserter(points), std::logical_not(), &WorkPoint::failed);
     }
-    const std::vector<std::size_t> front = pareto_front(trades);
     std::string lines;
     double above = axes.work.at(1.0);
-    for (const std::size_t i : front) {
-        lines += fmt::format("{},{}\n{},{}\n", trades[i].error, above, trades[i].error, trades[i].work);
-        above = trades[i].work;
+    for (const std::size_t i : pareto_front(points)) {
+        lines += fmt::format("{},{}\n{},{}\n", points[i].error, above, points[i].error, points[i].work);
+        above = points[i].work;
     }
-    if (!front.empty()) lines += fmt::format("{},{}\n", axes.error.at(1.0), above);
+    if (!points.empty()) lines += fmt::format("{},{}\n", axes.error.at(1.0), above);
     return block("Pareto front as steps: error, work", lines);
 }
 
 // The part inside the axes; the rest would be drawn over the margins.
-std::vector<std::pair<double, double>> visible(const TheoryLine& theory, const Axes& axes) {
-    std::vector<std::pair<double, double>> points;
-    for (const auto& [error, work] : theory.points) {
-        const double x = axes.error.share(error), y = axes.work.share(work);
-        if (x >= 0.0 && x <= 1.0 && y >= 0.0 && y <= 1.0) points.emplace_back(error, work);
-    }
-    return points;
+std::vector<WorkPoint> visible(std::vector<WorkPoint> theory, const Axes& axes) {
+    std::erase_if(theory, [&](const WorkPoint& point) {
+        const double x = axes.error.share(point.error), y = axes.work.share(point.work);
+        return !(x >= 0.0 && x <= 1.0 && y >= 0.0 && y <= 1.0);
+    });
+    return theory;
 }
 
 // Labels of the points and, at their upper ends, of the theory lines.
@@ -151,11 +144,10 @@ std::string label_block(const WorkPlot& plot, const Axes& axes) {
             last = point.failed ? nullptr : &point;
         }
     }
-    for (const TheoryLine& theory : plot.theory) {
-        const auto seen = visible(theory, axes);
-        const auto upper = std::ranges::max_element(seen, {}, &std::pair<double, double>::second);
-        if (upper == seen.end()) continue;
-        add(axes.place({.error = upper->first, .work = upper->second, .label = {}}), theory.label, 0x888888);
+    for (const WorkLine& theory : plot.theory) {
+        const auto seen = visible(theory.points, axes);
+        const auto upper = std::ranges::max_element(seen, {}, &WorkPoint::work);
+        if (upper != seen.end()) add(axes.place(*upper), theory.name, 0x888888);
     }
     const auto places = place_labels(points, texts, lines, area);
     std::string text;
@@ -174,18 +166,18 @@ std::string data_text(const WorkPlot& plot, const Axes& axes) {
         std::string lines;
         for (const WorkPoint& point : line.points) {
             std::string& where = point.failed ? failures : lines;
-            where += fmt::format("{},{},{},{}\n", axes.shown_error(point), point.work, point.label,
-                                 number_of(line.colour));
+            where += fmt::format("{},{},{},{}\n", point.error, point.work, point.label, number_of(line.colour));
         }
         text += block(line.name + ": error, work, knob, colour", lines);
     }
     text += front_block(plot, axes);
     text += label_block(plot, axes);
     text += block("failed, at the border: error, work, knob, colour", failures);
-    for (const TheoryLine& theory : plot.theory) {
+    for (const WorkLine& theory : plot.theory) {
         std::string lines;
-        for (const auto& [error, work] : visible(theory, axes)) lines += fmt::format("{},{}\n", error, work);
-        text += block(theory.label + ": error, work", lines);
+        for (const WorkPoint& point : visible(theory.points, axes))
+            lines += fmt::format("{},{}\n", point.error, point.work);
+        text += block(theory.name + ": error, work", lines);
     }
     return text;
 }
@@ -220,6 +212,10 @@ void draw_work_plot(WorkPlot plot, const std::filesystem::path& folder, SectionC
         });
     }
     const Axes axes = axes_of(plot);
+    for (WorkLine& line : plot.lines) {
+        for (WorkPoint& point : line.points)
+            point.error = point.failed ? axes.error.at(1.0) : std::max(point.error, axes.error.at(0.0));
+    }
     std::string names, colours, dashes, marks;
     for (const WorkLine& line : plot.lines) {
         names += "\"" + line.name + "\" ";
@@ -288,7 +284,7 @@ std::vector<std::optional<Place>> place_labels(const std::vector<Place>& points,
     return places;
 }
 
-std::vector<std::size_t> pareto_front(std::span<const Trade> points) {
+std::vector<std::size_t> pareto_front(std::span<const WorkPoint> points) {
     std::vector<std::size_t> order(points.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::ranges::sort(order, {},

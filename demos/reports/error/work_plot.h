@@ -9,7 +9,6 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace pushfactor::demos::reports::error {
@@ -17,15 +16,15 @@ namespace pushfactor::demos::reports::error {
 struct WorkPoint {
     double error = 0.0;  // drawn at the left border if below the axis range
     double work = 0.0;
-    std::string label;    // the value of the knob
+    std::string label{};  // the value of the knob
     bool failed = false;  // drawn hollow at the right border
 };
 
 struct WorkLine {
     std::string name;
-    std::string colour;  // name in the palette
-    int dash = 1;        // gnuplot's dash type
-    int mark = 7;        // gnuplot's point type
+    std::string colour{};  // name in the palette
+    int dash = 1;          // gnuplot's dash type
+    int mark = 7;          // gnuplot's point type
     std::vector<WorkPoint> points{};
 };
 
@@ -39,19 +38,13 @@ Cheapest cheapest(std::span<const WorkLine> lines, double error);
 // Colour of a method by the solver that its name begins with, the same on all plots: "pgs, cold".
 std::string colour_of_solver(const std::string& method);
 
-// Theory: a thin grey line.
-struct TheoryLine {
-    std::string label;
-    std::vector<std::pair<double, double>> points{};  // error, work
-};
-
 struct WorkPlot {
     std::string name;  // of the files
     std::string error_axis, work_axis;
     std::string machine;  // in small print below
     std::vector<WorkLine> lines{};
-    std::vector<TheoryLine> theory{};
-    bool front = true;  // mark the Pareto front; not for lines that are no alternatives
+    std::vector<WorkLine> theory{};  // thin and grey, with their names
+    bool front = true;               // mark the Pareto front; not for lines that are no alternatives
 };
 
 // Writes NAME.dat and, where gnuplot is installed, draws it as NAME.png and NAME.svg. Adds the files to the plate;
@@ -62,14 +55,9 @@ void draw_work_plot(WorkPlot plot, const std::filesystem::path& folder, SectionC
 Section work_section(const WorkPlot& plot, const std::string& heading, const std::string& caption,
                      const std::filesystem::path& folder, SectionContent plate = {});
 
-struct Trade {
-    double error = 0.0;
-    double work = 0.0;
-};
-
 // Indices of the points that no other point dominates (less error or work, and no more of the other), by rising
 // error; of equal points the first.
-std::vector<std::size_t> pareto_front(std::span<const Trade> points);
+std::vector<std::size_t> pareto_front(std::span<const WorkPoint> points);
 
 // A position in letter widths, y upwards.
 using Place = Eigen::Vector2d;

@@ -26,6 +26,20 @@ double direction(int i) {
     return 2.0 * std::numbers::pi * i / count;
 }
 
+// 16 bodies like this one in a ring that slide outwards, each in a different direction relative to its axes.
+SceneDescription in_16_directions(const std::string& name, const BodyDescription& floor, BodyDescription body,
+                                  double speed, double friction) {
+    SceneDescription scene = touching(name, {floor}, 0.8);
+    const BodyDescription middle = body;
+    for (int i = 0; i < count; ++i) {
+        body.name = fmt::format("{} {}", middle.name, i + 1);
+        body.position = along(direction(i), ring) + middle.position;
+        body.velocity = along(direction(i), speed);
+        scene.bodies.push_back(body);
+    }
+    return with_friction(scene, friction);
+}
+
 // The ground is level, and gravity is inclined by `angle` towards +x.
 SceneDescription on_slope(const std::string& name, std::vector<BodyDescription> bodies, double height,
                           double angle) {
@@ -181,17 +195,6 @@ Chapter slab() {
     return chapter;
 }
 
-// 16 balls of radius 0.5 m in a ring that slide outwards without turning.
-SceneDescription balls_in_16_directions(double speed, double friction) {
-    SceneDescription scene = touching("balls-16-directions", {ground()}, 0.8);
-    for (int i = 0; i < count; ++i) {
-        scene.bodies.push_back(
-            ball(0.5, along(direction(i), ring) + Vector3(0, 0.5, 0), along(direction(i), speed)));
-        scene.bodies.back().name += " " + std::to_string(i + 1);
-    }
-    return with_friction(scene, friction);
-}
-
 // Cubes that turn on the spot about the vertical, some one way and some the other.
 SceneDescription spinning_cubes(double spin, double friction) {
     SceneDescription scene = touching("spinning-cubes", {ground()}, 0.5);
@@ -216,7 +219,9 @@ Chapter rolls() {
                     "spot stop after w^2 / (2 mu g r / I)"};
     for (const Steps& steps : both_steps) {
         chapter.add(
-            steps, "balls-16-directions", balls_in_16_directions(speed, friction), "1", "moving",
+            steps, "balls-16-directions",
+            in_16_directions("balls-16-directions", ground(), ball(0.5, {0, 0.5, 0}), speed, friction), "1",
+            "moving",
             {{"last_speed_m_per_s", 1e-6, rolls_at}, {"slide_m", first_order * speed * steps.dt, way}, straight_on},
             of_both("moving"), true);
     }
@@ -348,13 +353,8 @@ Chapter seams() {
 }  // namespace
 
 SceneDescription cubes_in_16_directions(double speed, double friction, bool on_box) {
-    SceneDescription scene = touching("cone-16-directions", {ground()}, 0.8);
-    if (on_box) scene.bodies = {wall("ground", {16, 0.5, 16}, {0, -0.25, 0})};
-    for (int i = 0; i < count; ++i) {
-        const Vector3 place = along(direction(i), ring) + Vector3(0, 0.5, 0);
-        scene.bodies.push_back(cube(i, place, along(direction(i), speed)));
-    }
-    return with_friction(scene, friction);
+    return in_16_directions("cone-16-directions", on_box ? wall("ground", {16, 0.5, 16}, {0, -0.25, 0}) : ground(),
+                            box("cube", Vector3::Ones(), {0, 0.5, 0}), speed, friction);
 }
 
 SceneDescription spinning_slab(double speed, double spin, double friction) {

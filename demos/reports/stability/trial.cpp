@@ -2,7 +2,7 @@
 
 #include "demos/platform/child_process.h"
 #include "demos/platform/output_file.h"
-#include "demos/reports/pieces.h"
+#include "demos/reports/study.h"
 #include "demos/scenes/scene_file.h"
 #include "demos/text/errors.h"
 #include "demos/text/json_reader.h"

@@ -9,7 +9,7 @@ using namespace pushfactor::demos::reports::error;
 
 namespace {
 
-bool beats(const Trade& a, const Trade& b) {
+bool beats(const WorkPoint& a, const WorkPoint& b) {
     return a.error <= b.error && a.work <= b.work && (a.error < b.error || a.work < b.work);
 }
 
@@ -18,16 +18,16 @@ bool beats(const Trade& a, const Trade& b) {
 TEST_CASE("the Pareto front is what nobody beats in both numbers, as brute force finds it") {
     pushfactor::tests::Random random(7);
     for (int round = 0; round < 200; ++round) {
-        std::vector<Trade> points;
+        std::vector<WorkPoint> points;
         // Few different values, so that there are ties.
         for (int i = 0; i < 30; ++i) {
             const double error = std::floor(random.in(0, 12));
-            points.push_back({error, std::floor(random.in(0, 12))});
+            points.push_back({.error = error, .work = std::floor(random.in(0, 12))});
         }
         const std::vector<std::size_t> front = pareto_front(points);
         for (std::size_t i = 0; i < points.size(); ++i) {
             const bool beaten = std::any_of(points.begin(), points.end(),
-                                            [&](const Trade& other) { return beats(other, points[i]); });
+                                            [&](const WorkPoint& other) { return beats(other, points[i]); });
             const bool shown = std::any_of(front.begin(), front.end(), [&](std::size_t f) {
                 return points[f].error == points[i].error && points[f].work == points[i].work;
             });
