@@ -97,13 +97,6 @@ std::string ticks_of(const AtlasAxis& axis) {
     return text;
 }
 
-// The number of a cell; a blank where cells are too small or there is none.
-std::string text_in_cell(const AtlasMap& map, double value) {
-    constexpr std::size_t across = 16, up = 24;
-    if (map.x.values.size() > across || map.y.values.size() > up || std::isnan(value)) return " ";
-    return short_number(value);
-}
-
 // 0xRRGGBB of a name in the palette or of "#RRGGBB".
 int number_of(std::string_view colour) {
     if (const auto found = find_colour(colour)) return number_of(*found);
@@ -117,12 +110,14 @@ std::string data_of(const AtlasMap& map, const std::vector<CellResult>& results,
                     const std::vector<double>& ys) {
     std::string text = "# x,y,x_low,x_high,y_low,y_high,colour,number,ink\n";
     const std::size_t width = map.x.values.size();
+    const bool has_room = width <= 16 && map.y.values.size() <= 24;  // for numbers
     for (std::size_t i = 0; i < results.size(); ++i) {
         const std::size_t column = i % width, row = i / width;
         const OutcomeLook& look = *std::ranges::find(outcome_looks, results[i].outcome, &OutcomeLook::outcome);
-        text += fmt::format("{},{},{},{},{},{},{},{},{}\n", map.x.shown(map.x.values[column]),
-                            map.y.shown(map.y.values[row]), xs[column], xs[column + 1], ys[row], ys[row + 1],
-                            number_of(look.colour), text_in_cell(map, results[i].value), number_of(look.ink));
+        text += fmt::format(
+            "{},{},{},{},{},{},{},{},{}\n", map.x.shown(map.x.values[column]), map.y.shown(map.y.values[row]),
+            xs[column], xs[column + 1], ys[row], ys[row + 1], number_of(look.colour),
+            has_room && !std::isnan(results[i].value) ? short_number(results[i].value) : " ", number_of(look.ink));
     }
     text += "\n\n# theory: x,y\n";
     constexpr int points = 400;

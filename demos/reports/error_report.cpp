@@ -42,8 +42,7 @@ std::vector<ErrorPoint> others_of(const StudyRequest& request) {
         return std::ranges::find(others, sweep.scene, &ErrorPoint::scene) != others.end();
     };
     if (std::ranges::none_of(experiments_of(request), has_others)) {
-        throw UsageError(
-            fmt::format("--beside {}: must have points on scenes of the report", request.beside->string()));
+        throw UsageError("--beside {}: must have points on scenes of the report", request.beside->string());
     }
     return others;
 }

@@ -221,8 +221,8 @@ class StabilityReport {
                                 : fmt::format("{} of {} runs are not as expected", unexpected_.size(), trials_);
         run_.write(headline, suites_);
         if (unexpected_.empty()) return;
-        throw CheckError(fmt::format("{}, the first is {}; see {}", headline, unexpected_.front(),
-                                     (run_.folder() / "stability.csv").string()));
+        throw CheckError("{}, the first is {}; see {}", headline, unexpected_.front(),
+                         (run_.folder() / "stability.csv").string());
     }
 
   private:

@@ -272,7 +272,7 @@ std::optional<Json> StudyRun::find(const std::string& key) const {
 
 Json StudyRun::result(const std::string& key) const {
     auto found = find(key);
-    if (!found) throw RunError(fmt::format("{}: a piece has vanished: {}", folder().string(), key));
+    if (!found) throw RunError("{}: a piece has vanished: {}", folder().string(), key);
     return std::move(*found);
 }
 
@@ -307,8 +307,7 @@ StudyRun::Count make_study(const Study& study, const StudyRequest& request) {
     }
     const auto [all, there, failed] = run.count();
     if (failed == 0) return run.count();
-    throw CheckError(
-        fmt::format("{} of {} pieces of shard {} failed and are not kept", failed, all, to_text(*request.shard)));
+    throw CheckError("{} of {} pieces of shard {} failed and are not kept", failed, all, to_text(*request.shard));
 }
 
 std::string about_json() {

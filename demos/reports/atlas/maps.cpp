@@ -85,7 +85,7 @@ constexpr std::size_t most_values = 10000;  // of an axis
 constexpr const char* forms = "must be OPTION=FROM:TO:STEP, OPTION=log:FROM:TO:COUNT or OPTION=A,B,C";
 
 [[noreturn]] void refuse(const std::string& field, const std::string& text, const std::string& why) {
-    throw UsageError(fmt::format("{} {}: {}", field, text, why));
+    throw UsageError("{} {}: {}", field, text, why);
 }
 
 std::pair<std::string, std::string> name_and_value(const std::string& field, const std::string& text,

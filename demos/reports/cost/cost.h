@@ -172,9 +172,6 @@ struct Ledger {
 // Counts of the same steps in every call, so that equal programs give equal counts.
 Counts count_steps(const Choices& moment);
 
-// CPU time of one pass over those steps, us per step.
-double time_of_step(const Choices& moment);
-
 // CPU times of those steps: median over `repeats` passes of the mean per step; and memory of the world.
 Times time_steps(const Choices& moment, int repeats, const StopCheck& check);
 

@@ -65,21 +65,9 @@ double length_of(const SceneDescription& scene) {
 }
 
 Choices choices_at(const Compared& which, const Rational& dt) {
-    OptionTexts options{{"dt", to_text(dt)}};
-    options.insert(options.end(), which.options.begin(), which.options.end());
+    OptionTexts options = which.options;
+    options.emplace_back("dt", to_text(dt));
     return run_of(which.scene, options);
-}
-
-// The scene with its bodies in this state. Cached contact forces are lost, in all runs alike.
-SceneDescription restarted(SceneDescription scene, const Bodies& bodies) {
-    for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-        if (!scene.bodies[i].mass) continue;
-        scene.bodies[i].position = bodies[i].position;
-        scene.bodies[i].orientation = bodies[i].orientation;
-        scene.bodies[i].linear_momentum = bodies[i].linear_momentum;
-        scene.bodies[i].angular_momentum = bodies[i].angular_momentum;
-    }
-    return scene;
 }
 
 // Up to a time since the start [s].
@@ -91,7 +79,16 @@ void run_until(Simulation& run, const Rational& time, const StopCheck& check) {
 Bodies after_window(const Plan& plan, const Compared& which, const Bodies& start, const Rational& dt,
                     const StopCheck& check) {
     Choices choices = choices_at(which, dt);
-    choices.description = restarted(choices.description, start);
+    // Cached contact forces are lost, in all runs alike.
+    auto& bodies = choices.description.bodies;
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        BodyDescription& body = bodies[i];
+        if (!body.mass) continue;
+        body.position = start[i].position;
+        body.orientation = start[i].orientation;
+        body.linear_momentum = start[i].linear_momentum;
+        body.angular_momentum = start[i].angular_momentum;
+    }
     Simulation run(choices);
     run_until(run, plan.window, check);
     return run.scene().world.bodies;

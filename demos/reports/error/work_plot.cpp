@@ -184,12 +184,12 @@ std::string data_text(const WorkPlot& plot, const Axes& axes) {
 
 }  // namespace
 
-Cheapest cheapest(std::span<const WorkLine> lines, double error) {
-    Cheapest best;
+std::pair<const WorkLine*, const WorkPoint*> cheapest(std::span<const WorkLine> lines, double error) {
+    std::pair<const WorkLine*, const WorkPoint*> best;
     for (const WorkLine& line : lines) {
         for (const WorkPoint& point : line.points) {
             if (point.failed || !(point.error <= error)) continue;
-            if (!best.point || point.work < best.point->work) best = {&line, &point};
+            if (!best.second || point.work < best.second->work) best = {&line, &point};
         }
     }
     return best;

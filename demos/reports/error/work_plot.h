@@ -9,6 +9,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace pushfactor::demos::reports::error {
@@ -29,11 +30,7 @@ struct WorkLine {
 };
 
 // The point of the least work whose error is at most `error`, and its line; null if none reaches it.
-struct Cheapest {
-    const WorkLine* line = nullptr;
-    const WorkPoint* point = nullptr;
-};
-Cheapest cheapest(std::span<const WorkLine> lines, double error);
+std::pair<const WorkLine*, const WorkPoint*> cheapest(std::span<const WorkLine> lines, double error);
 
 // Colour of a method by the solver that its name begins with, the same on all plots: "pgs, cold".
 std::string colour_of_solver(const std::string& method);

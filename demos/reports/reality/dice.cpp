@@ -67,7 +67,7 @@ bool ends_on_square(double length, const Law& law, int number) {
         if (const auto axis = decided_axis(die, length)) return *axis == 1;
         scene.step(scene.world, 1.0 / 240.0);
     }
-    throw RunError(fmt::format("a die of length {} does not come to rest", length));
+    throw RunError("a die of length {} does not come to rest", length);
 }
 
 // Of assets/measured/dice.csv (Mathematical Gazette 97.16, 2013): steel dice.

@@ -50,8 +50,7 @@ std::vector<OtherEngine> read_others(const std::optional<std::filesystem::path>&
     for (const auto& cells : read_csv("--beside", *file, {"engine", "what", "at_s", "value", "error"})) {
         if (engines.empty() || engines.back().name != cells[0]) engines.push_back({cells[0], {}, {}});
         const auto at = parse_number(cells[2]), value = parse_number(cells[3]);
-        if (!value)
-            throw UsageError(fmt::format("--beside {}: value {}: must be a number", file->string(), cells[3]));
+        if (!value) throw UsageError("--beside {}: value {}: must be a number", file->string(), cells[3]);
         if (at) {
             engines.back().over_time.emplace_back(*at, *value);
         } else {

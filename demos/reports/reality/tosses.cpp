@@ -22,10 +22,6 @@ namespace {
 using engine::Quaternion;
 using engine::Vector3;
 
-[[noreturn]] void refuse(const std::filesystem::path& file, const std::string& what) {
-    throw RunError(fmt::format("{}: {}", file.string(), what));
-}
-
 std::string decompressed(const std::filesystem::path& file, const std::string& bytes) {
     // The size before compression is in the last four bytes, the lowest first (RFC 1952).
     std::size_t size = 0;
@@ -38,7 +34,7 @@ std::string decompressed(const std::filesystem::path& file, const std::string& b
         libdeflate_alloc_decompressor(), libdeflate_free_decompressor);
     if (libdeflate_gzip_decompress(gzip.get(), bytes.data(), bytes.size(), text.data(), text.size(), nullptr) !=
         LIBDEFLATE_SUCCESS) {
-        refuse(file, "is damaged");
+        throw RunError("{}: is damaged", file.string());
     }
     return text;
 }
@@ -91,23 +87,21 @@ void add_error(const Pose& measured, const Pose& computed, ErrorsAt& errors) {
     errors.angle.push_back(error.angle);
 }
 
-using Frame = std::optional<std::size_t>;  // of a toss, where it has such a one
-
-// The errors at a frame of each toss that `frame_of` gives for a number from 0 on and the contacts of the toss,
-// while there are enough tosses.
-template <typename FrameOf>
+// The errors at the frames of each toss that `frames_of` gives for it and its contacts, frame by frame, while there
+// are enough tosses.
+template <typename FramesOf>
 std::vector<ErrorsAt> errors_at(const Tosses& tosses, const Judged& judged, const Law& law,
-                                const FrameOf& frame_of) {
+                                const FramesOf& frames_of) {
     std::vector<ErrorsAt> all;
-    while (true) {
-        ErrorsAt errors;
-        for (std::size_t t = 0; t < tosses.size(); ++t) {
-            const Frame frame = frame_of(all.size(), tosses[t], bounces(tosses[t], law.board));
-            if (frame) add_error(tosses[t].frames[*frame], judged.poses[t][*frame], errors);
-        }
-        if (errors.position.size() < fewest) return all;
-        all.push_back(std::move(errors));
+    for (std::size_t t = 0; t < tosses.size(); ++t) {
+        const std::vector<std::size_t> frames = frames_of(tosses[t], bounces(tosses[t], law.board));
+        all.resize(std::max(all.size(), frames.size()));
+        for (std::size_t k = 0; k < frames.size(); ++k)
+            add_error(tosses[t].frames[frames[k]], judged.poses[t][frames[k]], all[k]);
     }
+    const auto too_few = [](const ErrorsAt& errors) { return errors.position.size() < fewest; };
+    all.erase(std::ranges::find_if(all, too_few), all.end());
+    return all;
 }
 
 // Errors after 0.1 s from measured poses, with and without contact: so far chaos has no say.
@@ -132,10 +126,10 @@ Windows windows_of(const Engine& engine, const Tosses& tosses, const Law& law) {
 
 std::vector<std::vector<double>> numbers_of(const std::filesystem::path& file, const std::string& columns) {
     const auto bytes = read_bytes_of(file);
-    if (!bytes) refuse(file, "cannot be read");
+    if (!bytes) throw RunError("{}: cannot be read", file.string());
     std::string text = *bytes;
     if (file.extension() == ".gz") text = decompressed(file, text);
-    if (!text.starts_with(columns + "\n")) refuse(file, "must begin with " + columns);
+    if (!text.starts_with(columns + "\n")) throw RunError("{}: must begin with {}", file.string(), columns);
     std::vector<std::vector<double>> lines;
     const auto cells = static_cast<std::size_t>(std::ranges::count(columns, ',')) + 1;
     const char* at = text.data() + columns.size() + 1;
@@ -146,7 +140,7 @@ std::vector<std::vector<double>> numbers_of(const std::filesystem::path& file, c
             const auto [next, error] = std::from_chars(at, end, number);
             const char after = &number == &line.back() ? '\n' : ',';
             if (error != std::errc() || next == end || *next != after) {
-                refuse(file, fmt::format("line {}: must be {} numbers", lines.size() + 1, cells));
+                throw RunError("{}: line {}: must be {} numbers", file.string(), lines.size() + 1, cells);
             }
             at = next + 1;
         }
@@ -313,21 +307,26 @@ Judged judge(const Engine& engine, const Tosses& tosses, const Law& law) {
 
 std::vector<ErrorsAt> errors_over_time(const Tosses& tosses, const Judged& judged, const Law& law) {
     constexpr auto longest = static_cast<std::size_t>(0.6 * frames_per_second);
-    const auto frame_of = [](std::size_t since, const Toss& toss, const auto& contacts) -> Frame {
-        if (since > longest || contacts.empty() || contacts.front() + since >= toss.frames.size()) return {};
-        return contacts.front() + since;
+    const auto frames_of = [](const Toss& toss, const std::vector<std::size_t>& contacts) {
+        std::vector<std::size_t> frames;
+        const std::size_t first = contacts.empty() ? toss.frames.size() : contacts.front();
+        for (std::size_t at = first; at < std::min(toss.frames.size(), first + longest + 1); ++at)
+            frames.push_back(at);
+        return frames;
     };
-    std::vector<ErrorsAt> all = errors_at(tosses, judged, law, frame_of);
+    std::vector<ErrorsAt> all = errors_at(tosses, judged, law, frames_of);
     for (std::size_t i = 0; i < all.size(); ++i) all[i].at = static_cast<double>(i) / frames_per_second;
     return all;
 }
 
 std::vector<ErrorsAt> errors_by_bounce(const Tosses& tosses, const Judged& judged, const Law& law) {
-    const auto frame_of = [](std::size_t bounce, const Toss& toss, const auto& contacts) -> Frame {
-        if (bounce >= contacts.size()) return {};
-        return (bounce + 1 == contacts.size() ? toss.frames.size() : contacts[bounce + 1]) - 1;
+    const auto frames_of = [](const Toss& toss, std::vector<std::size_t> contacts) {
+        contacts.push_back(toss.frames.size());
+        contacts.erase(contacts.begin());
+        for (std::size_t& next : contacts) --next;
+        return contacts;
     };
-    std::vector<ErrorsAt> all = errors_at(tosses, judged, law, frame_of);
+    std::vector<ErrorsAt> all = errors_at(tosses, judged, law, frames_of);
     for (std::size_t i = 0; i < all.size(); ++i) all[i].at = static_cast<double>(i + 1);
     return all;
 }

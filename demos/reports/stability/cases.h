@@ -16,7 +16,7 @@ namespace pushfactor::demos::reports::stability {
 
 // A measured number and its bar: |measure - target| / scale, in units of measure / scale.
 struct Check {
-    std::string measure{};  // one of measures.cpp, or a number of the summary
+    std::string measure{};  // one of trial.cpp, or a number of the summary
     double bar = 0.0;
     double target = 0.0;
     double scale = 1.0;

@@ -17,17 +17,12 @@ namespace pushfactor::demos::reports::stability {
 // A CSV file of numbers, by column; other text is NaN.
 using Columns = std::map<std::string, std::vector<double>, std::less<>>;
 
-Columns read_columns(const std::filesystem::path& file);
-
 // Output of one run.
 struct Evidence {
     const SceneDescription* scene = nullptr;
     Json summary{};
     std::map<std::string, Columns> outputs{};  // by option: "csv", "trajectory", "rows"
 };
-
-// The output option that `measure` needs besides the summary; empty for none.
-std::string output_for(const std::string& measure);
 
 // The measured value, or one per body; empty if the run does not have it.
 std::vector<double> take(const std::string& measure, const Evidence& evidence);

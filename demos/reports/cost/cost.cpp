@@ -1,8 +1,12 @@
 #include "demos/reports/cost/cost.h"
+
+#include "demos/runs/checkpoint.h"
+#include "demos/runs/session.h"
 #include "demos/scenes/catalogue.h"
 #include "demos/scenes/named/side_by_side.h"
 #include "demos/scenes/random.h"
 #include "demos/text/median.h"
+#include "engine/collision/broad_phase.h"
 #include "engine/forces/poke.h"
 
 #include <fmt/format.h>
@@ -142,6 +146,94 @@ double distance(const Choices& alone, const Choices& together) {
     return largest;
 }
 
+using Pairs = std::vector<std::pair<int, int>>;
+
+double count_different(Pairs pairs) {
+    std::sort(pairs.begin(), pairs.end());
+    return static_cast<double>(std::unique(pairs.begin(), pairs.end()) - pairs.begin());
+}
+
+void add_pairs(const BuiltScene& scene, double margin, Counts& sum) {
+    if (!scene.contacts) return;
+    std::vector<engine::collision::Pose> poses;
+    for (const engine::Body& body : scene.world.bodies) poses.push_back(engine::collision::pose_of(body));
+    engine::collision::BroadPhase broad_phase;
+    broad_phase.leave_out(scene.contacts->filter());
+    sum.pairs += static_cast<double>(
+        broad_phase.find_pairs(scene.contacts->colliders(), scene.world.bodies, poses, margin).size());
+    Pairs touching;
+    for (const engine::ContactSite& site : scene.contacts->sites()) touching.emplace_back(site.body_a, site.body_b);
+    sum.touches += count_different(touching);
+}
+
+// Pairs per movable body, static partners included, up to which an island counts as a thread: 1 for a hanging or
+// standing body, 1.6 and more where a body of the pendulum grid lies on others, about 3 for a heap.
+constexpr double pairs_of_a_thread = 1.5;
+
+IslandKind kind_of(const engine::Island& island) {
+    if (island.movable() == 1) return IslandKind::single;
+    Pairs pairs;
+    for (const engine::RowRun& run : island.runs) pairs.emplace_back(std::minmax(run.a, run.b));
+    return count_different(pairs) <= pairs_of_a_thread * island.movable() ? IslandKind::thread : IslandKind::heap;
+}
+
+void add_islands(const engine::World& world, Counts& sum) {
+    for (const engine::Island& island : world.islands().all()) {
+        IslandCounts& counts = sum.islands[static_cast<std::size_t>(kind_of(island))];
+        counts.by_way[static_cast<std::size_t>(world.outcome_of(island).method)] += 1.0;
+    }
+}
+
+double& rows_in(engine::RowKind kind, Counts& counts) {
+    switch (kind) {
+        case engine::RowKind::friction:
+            return counts.friction_rows;
+        case engine::RowKind::distance:
+        case engine::RowKind::spring:
+            return counts.distance_rows;
+        case engine::RowKind::joint:
+        case engine::RowKind::motor:
+        case engine::RowKind::limit:
+            return counts.joint_rows;
+        case engine::RowKind::contact:
+            break;
+    }
+    return counts.contact_rows;
+}
+
+void add_step(const engine::StepCount& step, Counts& sum) {
+    for (std::size_t k = 0; k < engine::row_kind_count; ++k) {
+        const auto kind = static_cast<engine::RowKind>(k);
+        rows_in(kind, sum) += step.rows(kind);
+    }
+    sum.columns += step.columns;
+    sum.at_rest += step.at_rest;
+    sum.sweeps += step.sweeps;
+    sum.row_updates += step.row_updates;
+    sum.multiply_adds += step.multiply_adds;
+}
+
+Counts means_of(Counts sum) {
+    const double engine_steps = sum.substeps;
+    const auto divide = [&](const CountColumn& column) {
+        sum.*column.value /= column.of_engine_steps ? engine_steps : Walk::steps_counted;
+    };
+    std::ranges::for_each(row_columns, divide);
+    std::ranges::for_each(work_columns, divide);
+    for (IslandCounts& kind : sum.islands) {
+        for (double& count : kind.by_way) count /= Walk::steps_counted;
+    }
+    return sum;
+}
+
+// CPU time of one pass over the steps of count_steps(), us per step.
+double time_of_step(const Choices& moment) {
+    Walk walk(moment);
+    const double before = thread_cpu_us();
+    walk.go(Walk::steps_counted);
+    return (thread_cpu_us() - before) / Walk::steps_counted;
+}
+
 }  // namespace
 
 std::vector<CostCase> cost_cases(bool quick) {
@@ -241,6 +333,73 @@ SumOfParts measure(const Neighbours& scenes, int goes, const StopCheck& check) {
     sum.together_us = median(of_all);
     sum.ratio = median(ratios);
     return sum;
+}
+
+Choices moment_at(Choices choices, double seconds, const StopCheck& check) {
+    Simulation simulation(choices);
+    play(simulation, [&](const Simulation& run) {
+        check();
+        return run.sample().time < seconds;
+    });
+    choices.description = resumed(spelled_out(choices), simulation.scene(), simulation.checkpoint());
+    return choices;
+}
+
+double clock_cost() {
+    std::vector<double> costs(10001);
+    double before = thread_cpu_us();
+    for (double& cost : costs) {
+        const double now = thread_cpu_us();
+        cost = now - before;
+        before = now;
+    }
+    return median(costs);
+}
+
+void PhaseClock::end(std::size_t stage) {
+    const double now = thread_cpu_us();
+    times_[stage] += now - last_ - cost_;
+    last_ = now;
+}
+
+Walk::Walk(const Choices& moment)
+    : scene_(build_scene(moment)),
+      dt_(moment.settings.dt.value()),
+      division_(moment.settings.substeps ? StepDivision(*moment.settings.substeps)
+                                         : StepDivision(step_rules(scene_), scene_.parts_before.value_or(0.0))) {
+    go(steps_before);
+}
+
+Counts count_steps(const Choices& moment) {
+    Walk walk(moment);
+    Counts sum;
+    for (int i = 0; i < Walk::steps_counted; ++i) {
+        sum.substeps += walk.step(nullptr, [&sum](const engine::StepCount& step) { add_step(step, sum); });
+        add_pairs(walk.scene(), moment.settings.margin, sum);
+        add_islands(walk.scene().world, sum);
+    }
+    return means_of(sum);
+}
+
+Times time_steps(const Choices& moment, int repeats, const StopCheck& check) {
+    const double cost = clock_cost();
+    std::vector<double> steps;
+    std::array<std::vector<double>, phase_names.size()> stages;
+    Times result;
+    for (int i = 0; i < repeats; ++i) {
+        check();
+        steps.push_back(time_of_step(moment));
+        check();
+        const std::optional<double> before = heap_bytes();
+        Walk walk(moment);
+        PhaseClock clock(cost);
+        walk.go(Walk::steps_counted, &clock);
+        if (before) result.bytes = heap_bytes().value() - *before;
+        for (std::size_t k = 0; k < stages.size(); ++k) stages[k].push_back(clock.times()[k] / Walk::steps_counted);
+    }
+    result.step = median(steps);
+    for (std::size_t k = 0; k < stages.size(); ++k) result.stages[k] = std::max(0.0, median(stages[k]));
+    return result;
 }
 
 }  // namespace pushfactor::demos::reports::cost
