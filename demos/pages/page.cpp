@@ -1,9 +1,9 @@
 #include "demos/pages/page.h"
 
-#include "demos/pages/html.h"
 #include "demos/pages/short_numbers.h"
 #include "demos/platform/assets.h"
 #include "demos/platform/output_file.h"
+#include "demos/text/html.h"
 
 #include <fmt/format.h>
 
@@ -77,7 +77,7 @@ std::string commands_of(const Section& section) {
         fmt::format("<details>\n<summary>{}</summary>\n",
                     commands.size() == 1 ? "Command that shows this"
                                          : fmt::format("{} commands that show this", commands.size()));
-    for (const std::string& command : commands) text += html::command(command, section.heading) + "\n";
+    for (const std::string& command : commands) text += command_html(command, section.heading) + "\n";
     return text + "</details>\n";
 }
 
@@ -147,8 +147,9 @@ std::string page_text(const std::string& title, const std::string& opening, std:
 }
 
 void write_index(const std::filesystem::path& folder, const std::string& page) {
-    if (page.find(fmt::format("href=\"{}#", html::name_of_live_page)) != std::string::npos) {
-        write_file(folder / html::name_of_live_page, asset_text(live_page()));
+    const std::filesystem::path live = live_page();
+    if (page.find(fmt::format("href=\"{}#", live.filename().string())) != std::string::npos) {
+        write_file(folder / live.filename(), asset_text(live));
     }
     write_file(folder / "index.html", page);
 }

@@ -1,13 +1,16 @@
 #include "demos/pages/table.h"
 
-#include "demos/pages/html.h"
 #include "demos/pages/short_numbers.h"
+#include "demos/pictures/live/links.h"
+#include "demos/platform/assets.h"
+#include "demos/text/html.h"
 #include "demos/text/numbers.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 namespace pushfactor::demos {
 
@@ -129,7 +132,7 @@ class TableWriter {
         std::string what = naming_ < columns_.size() ? at(line, naming_) : name_;
         if (const std::size_t next = naming_ + 1; next < columns_.size() && columns_[next].is_text())
             what += ", " + at(line, next);
-        return fmt::format("<details><summary>show</summary>{}</details>", html::command(command, what));
+        return fmt::format("<details><summary>show</summary>{}</details>", command_html(command, what));
     }
 
     const TextTable table_;
@@ -186,6 +189,21 @@ TextTable page_lines(const Table& table, const std::vector<std::string>& columns
 
 std::string table_html(const TextTable& table, const std::string& name) {
     return table.empty() ? "" : TableWriter(table, name).html();
+}
+
+std::string command_html(std::string_view command, std::string_view what) {
+    std::string live;
+    if (std::filesystem::exists(live_page())) {
+        for (const pictures::live::Link& link : pictures::live::links_of(command)) {
+            live += fmt::format(" · <a href=\"{}\">In the browser{}</a>", html::escaped(link.address),
+                                link.differs.empty() ? "" : ", " + html::escaped(link.differs));
+        }
+    }
+    return fmt::format(
+        "<div class=\"command\"><code>{}</code><button type=\"button\" class=\"copy\" hidden aria-label=\"Copy the "
+        "command: {}\">Copy</button></div>{}",
+        html::escaped(command), html::escaped(what),
+        live.empty() ? "" : "<p class=\"files\">" + live.substr(std::string_view(" · ").size()) + "</p>");
 }
 
 std::string mark_html(Mark mark, std::optional<int> count) {

@@ -82,6 +82,10 @@ inline constexpr const char* verdict_column = "verdict";  // words of Mark, with
 // above, like all to its left, is merged with it. `name` labels the table.
 std::string table_html(const TextTable& table, const std::string& name);
 
+// A command with a copy button, and with its links to the page that runs the program in a browser, where that has
+// been made. `what` describes the command to screen readers.
+std::string command_html(std::string_view command, std::string_view what);
+
 // "✓ holds", or "✓ holds: 12".
 std::string mark_html(Mark mark, std::optional<int> count = std::nullopt);
 

@@ -1,6 +1,6 @@
 #include "demos/pages/verdict_files.h"
 
-#include "demos/pages/html.h"
+#include "demos/text/html.h"
 #include "demos/text/utf8.h"
 
 #include <fmt/chrono.h>

@@ -31,7 +31,7 @@ class Folder {
     void write(const std::string& name, const std::string& text) const { std::ofstream(path_ / name) << text; }
 
     // Names of all files below, "a/b.png", without the page that runs the program in a browser: it is put beside
-    // others only where it has been made (demos/pages/html.h).
+    // others only where it has been made (demos/pictures/live/links.h).
     std::vector<std::string> files() const {
         std::vector<std::string> names;
         for (const auto& entry : std::filesystem::recursive_directory_iterator(path_)) {

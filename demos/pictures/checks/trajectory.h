@@ -1,7 +1,7 @@
 // A run beside the trajectory of an earlier one.
 #pragma once
 
-#include "demos/checks/verdict.h"
+#include "demos/pictures/checks/verdict.h"
 #include "demos/runs/records.h"
 #include "demos/scenes/motions/pose_reader.h"
 

@@ -1,7 +1,7 @@
-#include "demos/checks/folder_check.h"
+#include "demos/pictures/checks/folder_check.h"
 
-#include "demos/checks/trajectory.h"
-#include "demos/checks/worst_pictures.h"
+#include "demos/pictures/checks/trajectory.h"
+#include "demos/pictures/checks/worst_pictures.h"
 #include "demos/pictures/film/film.h"
 #include "demos/platform/output_file.h"
 #include "demos/platform/progress.h"

@@ -1,8 +1,8 @@
 // Pictures against those of a folder.
 #pragma once
 
-#include "demos/checks/comparison.h"
-#include "demos/checks/expectation.h"
+#include "demos/pictures/checks/comparison.h"
+#include "demos/pictures/checks/expectation.h"
 #include "demos/pictures/offscreen_renderer.h"
 
 namespace pushfactor::demos::checks {

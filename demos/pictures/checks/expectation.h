@@ -1,7 +1,7 @@
 // A folder of `render` as an expectation: how its pictures were made, and what its summary says.
 #pragma once
 
-#include "demos/checks/verdict.h"
+#include "demos/pictures/checks/verdict.h"
 #include "demos/runs/session.h"
 #include "demos/text/json.h"
 

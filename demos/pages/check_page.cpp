@@ -1,8 +1,8 @@
-#include "demos/checks/check_page.h"
+#include "demos/pages/check_page.h"
 
-#include "demos/checks/worst_pictures.h"
-#include "demos/pages/html.h"
 #include "demos/pages/page.h"
+#include "demos/pictures/checks/worst_pictures.h"
+#include "demos/text/html.h"
 
 #include <fmt/format.h>
 

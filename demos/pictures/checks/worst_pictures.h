@@ -1,7 +1,7 @@
 // The pictures of a page: expected, actual and their difference, of the worst that were found in a folder.
 #pragma once
 
-#include "demos/checks/comparison.h"
+#include "demos/pictures/checks/comparison.h"
 
 #include <filesystem>
 #include <set>

@@ -1,4 +1,4 @@
-#include "demos/checks/trajectory.h"
+#include "demos/pictures/checks/trajectory.h"
 
 #include "demos/runs/trajectory.h"
 

@@ -1,4 +1,4 @@
-#include "demos/checks/expectation.h"
+#include "demos/pictures/checks/expectation.h"
 
 #include "demos/platform/version.h"
 #include "demos/text/errors.h"

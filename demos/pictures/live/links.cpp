@@ -1,4 +1,4 @@
-#include "demos/pages/html.h"
+#include "demos/pictures/live/links.h"
 
 #include "demos/options/frame_options.h"
 #include "demos/options/named_run.h"
@@ -7,23 +7,17 @@
 #include "demos/platform/assets.h"
 #include "demos/platform/shell_words.h"
 #include "demos/scenes/catalogue.h"
+#include "demos/text/html.h"
 #include "demos/text/rational.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
-#include <filesystem>
-#include <functional>
 #include <iterator>
 
-namespace pushfactor::demos::html {
+namespace pushfactor::demos::pictures::live {
 
 namespace {
-
-bool is_plain(char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-' || c == '.';
-}
 
 // Options with a value; those without one show nothing.
 OptionTexts options_among(const std::vector<std::string>& words) {
@@ -47,7 +41,7 @@ OptionTexts deciding(const SceneEntry& scene, const OptionTexts& options) {
     OptionTexts kept;
     std::ranges::copy_if(options, std::back_inserter(kept), [&](const auto& option) {
         const std::string& name = option.first;
-        return pictures::live::is_on_menu(name) &&
+        return is_on_menu(name) &&
                (std::ranges::find(known, name) != known.end() ||
                 std::ranges::find(scene.parameters, name, &Parameter::name) != scene.parameters.end());
     });
@@ -73,40 +67,14 @@ std::string shown_by(const OptionTexts& options) {
 }
 
 std::string address_of(const std::string& scene, const OptionTexts& deciding, const OptionTexts& all) {
-    std::string address = fmt::format("{}#scenes&scene={}", name_of_live_page, scene);
-    for (const auto& [name, text] : deciding) address += fmt::format("&{}={}", name, link_to(text));
+    std::string address = fmt::format("{}#scenes&scene={}", live_page().filename().string(), scene);
+    for (const auto& [name, text] : deciding) address += fmt::format("&{}={}", name, html::link_to(text));
     return address + fmt::format("&step={}", last_step(all)) + shown_by(all);
 }
 
 }  // namespace
 
-std::string escaped(std::string_view text) {
-    std::string result;
-    for (const char c : text) {
-        result += c == '&'   ? "&amp;"
-                  : c == '<' ? "&lt;"
-                  : c == '>' ? "&gt;"
-                  : c == '"' ? "&quot;"
-                             : std::string(1, c);
-    }
-    return result;
-}
-
-std::string anchor(std::string_view name) {
-    std::string result(name);
-    std::ranges::replace_if(result, std::not_fn(is_plain), '-');
-    return result;
-}
-
-std::string link_to(std::string_view file) {
-    std::string result;
-    for (const char c : file)
-        result +=
-            is_plain(c) || c == '/' ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
-    return result;
-}
-
-std::vector<LiveLink> live_links(std::string_view command) {
+std::vector<Link> links_of(std::string_view command) {
     const std::vector<std::string> words = words_of(command);
     if (words.size() < 3 || words[0] != "pushfactor" || (words[1] != "run" && words[1] != "render")) return {};
     const SceneEntry* const scene = find_scene(words[2]);
@@ -115,7 +83,7 @@ std::vector<LiveLink> live_links(std::string_view command) {
     const OptionTexts own = deciding(*scene, options);
     const auto comparison = parse_comparison(text_of(options, "compare"));
     if (!comparison) return {{address_of(words[2], own, options), ""}};
-    std::vector<LiveLink> links;
+    std::vector<Link> links;
     for (const std::string& value : comparison->values) {
         OptionTexts with = own;
         std::erase_if(with, [&](const auto& option) { return option.first == comparison->option; });
@@ -125,19 +93,4 @@ std::vector<LiveLink> live_links(std::string_view command) {
     return links;
 }
 
-std::string command(std::string_view command, std::string_view what) {
-    std::string live;
-    if (std::filesystem::exists(live_page())) {
-        for (const LiveLink& link : live_links(command)) {
-            live += fmt::format(" · <a href=\"{}\">In the browser{}</a>", escaped(link.address),
-                                link.differs.empty() ? "" : ", " + escaped(link.differs));
-        }
-    }
-    return fmt::format(
-        "<div class=\"command\"><code>{}</code><button type=\"button\" class=\"copy\" hidden aria-label=\"Copy the "
-        "command: {}\">Copy</button></div>{}",
-        escaped(command), escaped(what),
-        live.empty() ? "" : "<p class=\"files\">" + live.substr(std::string_view(" · ").size()) + "</p>");
-}
-
-}  // namespace pushfactor::demos::html
+}  // namespace pushfactor::demos::pictures::live

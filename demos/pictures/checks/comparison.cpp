@@ -1,4 +1,4 @@
-#include "demos/checks/comparison.h"
+#include "demos/pictures/checks/comparison.h"
 
 #include "demos/platform/output_file.h"
 #include "demos/text/errors.h"

@@ -1,7 +1,7 @@
 // A picture beside the file that is expected, and how much it may differ from it.
 #pragma once
 
-#include "demos/checks/verdict.h"
+#include "demos/pictures/checks/verdict.h"
 #include "renderer/images/difference.h"
 
 #include <cstdint>

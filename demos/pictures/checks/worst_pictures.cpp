@@ -1,4 +1,4 @@
-#include "demos/checks/worst_pictures.h"
+#include "demos/pictures/checks/worst_pictures.h"
 
 #include "demos/platform/output_file.h"
 #include "demos/text/text_hash.h"

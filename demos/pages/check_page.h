@@ -1,8 +1,8 @@
 // What a check found, as lines and a page for people, and as verdicts.
 #pragma once
 
-#include "demos/checks/verdict.h"
 #include "demos/pages/verdict_files.h"
+#include "demos/pictures/checks/verdict.h"
 
 #include <span>
 #include <string>
