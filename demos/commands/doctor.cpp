@@ -78,8 +78,7 @@ Finding show_picture(const Graphics& osmesa, const Graphics& egl, const std::opt
                                                       : ", other bytes from EGL than from OSMesa";
     }
     if (out) {
-        const std::vector<std::uint8_t> png = renderer::encode_png(picture);
-        write_file(*out, {reinterpret_cast<const char*>(png.data()), png.size()});
+        write_file(*out, renderer::encode_png(picture));
         finding.text += "; written to " + *out;
     }
     return finding;

@@ -22,8 +22,7 @@ std::vector<figures::Figure> wanted(const std::vector<std::string>& named) {
     for (const std::string& name : named) require_known("figure", name, known);
     std::vector<figures::Figure> result;
     for (const figures::Figure& figure : figures::all_figures()) {
-        if (named.empty() || std::find(named.begin(), named.end(), figure.name) != named.end())
-            result.push_back(figure);
+        if (named.empty() || std::ranges::find(named, figure.name) != named.end()) result.push_back(figure);
     }
     return result;
 }

@@ -24,17 +24,6 @@ std::string preset_help() {
     return help + "; overrides the method options of files [default]";
 }
 
-// Names of the parameters of all scenes, each once.
-std::vector<std::string> parameter_names() {
-    std::vector<std::string> names;
-    for (const SceneEntry& scene : catalogue()) {
-        for (const Parameter& parameter : scene.parameters) {
-            if (std::ranges::find(names, parameter.name) == names.end()) names.emplace_back(parameter.name);
-        }
-    }
-    return names;
-}
-
 }  // namespace
 
 std::vector<Option> simulation_option_table() {

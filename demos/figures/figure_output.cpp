@@ -14,10 +14,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-void write(const fs::path& file, const std::vector<std::uint8_t>& bytes) {
-    write_file(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
-}
-
 // A line per text, for assets/plots/sheet.gp, whose origin is at the bottom left.
 std::string text_data(const Sheet& sheet) {
     std::string data;
@@ -40,17 +36,17 @@ float FigureOutput::letters(float across) const {
 }
 
 std::string FigureOutput::save(const renderer::Image& image, const std::string& name) const {
-    write(folder_ / (name + ".png"), renderer::encode_png(image));
+    write_file(folder_ / (name + ".png"), renderer::encode_png(image));
     return name + ".png";
 }
 
 void FigureOutput::save(const Sheet& sheet, const std::string& name, SectionContent& content) const {
-    write(folder_ / (name + ".png"), png_of(sheet, offscreen_.lettering(), format_));
+    write_file(folder_ / (name + ".png"), png_of(sheet, offscreen_.lettering(), format_));
     content.pictures.push_back(name + ".png");
     if (!format_.print) return;
     // The picture alone, which gnuplot puts under the texts.
     const fs::path bare = folder_ / (name + ".bare.png");
-    write(bare, png_of(sheet, 0.0));
+    write_file(bare, png_of(sheet, 0.0));
     try {
         add_pdf({.script = "sheet",
                  .data = name + ".txt",

@@ -164,7 +164,7 @@ Sheet draw_grid(FigureOutput& output, const PictureGrid& grid) {
     const int across = (output.width() - room.left) / grid.columns;
     const Size size{output.width() - room.left, rows * static_cast<int>(across / grid.cell_aspect)};
     const Layout layout = pictures::grid(size, grid.columns, rows);
-    const double aspect = static_cast<double>(layout.cell.width) / layout.cell.height;
+    const double aspect = layout.cell_aspect();
     // A label in the cell needs room at the top of it.
     const double label = room.below > 0 ? 0.0 : 1.8 * room.size / layout.cell.height;
     const View view = camera_of(grid, aspect, label);

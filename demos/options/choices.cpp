@@ -12,7 +12,7 @@
 
 #include <fmt/format.h>
 
-#include <set>
+#include <algorithm>
 
 namespace pushfactor::demos {
 
@@ -111,10 +111,8 @@ std::vector<std::string> known_in_config() {
     std::vector<std::string> names = simulation_option_names();
     names.emplace_back("scene");
     for (const FrameOption& option : frame_options()) names.emplace_back(option.name);
-    std::set<std::string> parameters;
-    for (const SceneEntry& scene : catalogue()) {
-        for (const Parameter& parameter : scene.parameters) parameters.emplace(parameter.name);
-    }
+    std::vector<std::string> parameters = parameter_names();
+    std::ranges::sort(parameters);
     names.insert(names.end(), parameters.begin(), parameters.end());
     return names;
 }
@@ -167,7 +165,7 @@ void add_config(const std::filesystem::path& file, GivenOptions& given) {
         const bool is_text = value.is_string() || value.is_number();
         const std::string name = current_name(key, is_text ? text_of(value) : std::string(), field);
         if (name.empty()) continue;
-        if (std::find(known.begin(), known.end(), name) == known.end()) {
+        if (std::ranges::find(known, name) == known.end()) {
             throw UsageError(field + ": unknown option" + suggestion(name, known));
         }
         if (!is_text) throw UsageError("{} {}: must be a string or a number", field, json_text(value, -1));
@@ -189,7 +187,7 @@ Choices understand(const std::string& scene, GivenOptions given) {
         const std::string field = fmt::format("{}: options.{}", scene, key);
         const std::string name = current_name(key, text, field);
         if (name.empty()) continue;
-        if (std::find(known.begin(), known.end(), name) == known.end()) {
+        if (std::ranges::find(known, name) == known.end()) {
             throw UsageError(field + ": unknown key" + nearest_or_all(name, known));
         }
         // A resumed run has already been started: no preset changes its start kick.

@@ -119,7 +119,7 @@ std::vector<ComparedRun> compared_runs(const std::string& scene, const GivenOpti
     if (!comparison) return {{.label = "", .choices = common}};
 
     const std::vector<std::string> names = comparable(common);
-    if (std::find(names.begin(), names.end(), comparison->option) == names.end()) {
+    if (std::ranges::find(names, comparison->option) == names.end()) {
         const auto* chosen = given.find("compare");
         throw UsageError("{} {}: cannot compare {}; it {}", chosen->field, chosen->text, comparison->option,
                          one_of(comparison->option, names));

@@ -35,6 +35,7 @@ struct FrameChoices {
     std::optional<Comparison> compare{};
     std::string gl{};  // OpenGL back end, osmesa or egl; empty: the first available
 
+    double aspect() const { return static_cast<double>(width) / height; }
     double trail_seconds() const;                                         // 0 without trails
     Rational film_rate() const { return fps.value_or(Rational{60, 1}); }  // frames per second of the film
 };

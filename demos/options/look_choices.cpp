@@ -27,7 +27,7 @@ std::optional<std::vector<OverlayItem>> parse_overlay(std::string_view text) {
     std::vector<OverlayItem> overlay;
     for (const std::string_view part : parts_of(text)) {
         const std::size_t colon = part.find(':');
-        const auto found = std::find(names.begin(), names.end(), part.substr(0, colon));
+        const auto found = std::ranges::find(names, part.substr(0, colon));
         if (found == names.end()) return std::nullopt;
         OverlayItem item{.kind = static_cast<OverlayKind>(found - names.begin())};
         if (colon != std::string_view::npos) {
@@ -37,7 +37,7 @@ std::optional<std::vector<OverlayItem>> parse_overlay(std::string_view text) {
             if (!(trails || has_arrows(item.kind)) || !number || *number < least || *number > most)
                 return std::nullopt;
         }
-        const bool twice = std::any_of(overlay.begin(), overlay.end(), [&](const OverlayItem& other) {
+        const bool twice = std::ranges::any_of(overlay, [&](const OverlayItem& other) {
             return other.kind == item.kind || (colours_bodies(other.kind) && colours_bodies(item.kind));
         });
         if (twice) return std::nullopt;

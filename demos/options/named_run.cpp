@@ -9,11 +9,11 @@ namespace pushfactor::demos {
 
 OptionTexts awake(OptionTexts options) {
     const auto decides = [](const auto& option) {
-        return option.first == "rest" || std::any_of(presets().begin(), presets().end(), [&](const Preset& preset) {
+        return option.first == "rest" || std::ranges::any_of(presets(), [&](const Preset& preset) {
                    return option.first == "preset" && option.second == preset.name && !preset.settings().rest;
                });
     };
-    if (std::none_of(options.begin(), options.end(), decides)) options.emplace_back("rest", "off");
+    if (std::ranges::none_of(options, decides)) options.emplace_back("rest", "off");
     return options;
 }
 

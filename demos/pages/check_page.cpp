@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <tuple>
 
 namespace pushfactor::demos::checks {
@@ -138,8 +137,7 @@ std::string headline(std::span<const FolderVerdict> folders) {
         skipped += folder.not_compared() > 0 ? 1 : 0;
         strangers += std::ssize(folder.unexpected);
         runs += std::ranges::any_of(folder.runs, says_of_run) ? 1 : 0;
-        wrong_runs +=
-            std::any_of(folder.runs.begin(), folder.runs.end(), [](const auto& run) { return !run.holds; });
+        wrong_runs += std::ranges::any_of(folder.runs, [](const auto& run) { return !run.holds; });
     }
     const auto of = [](long some, long all, const char* word) {
         return fmt::format("{} of {}", some, plural(all, word));
@@ -170,8 +168,7 @@ std::string page_of(std::span<const FolderVerdict> folders, const std::string& m
         "Checked with {}. Up to {} pictures of a folder are shown, the worst first; in the difference dark red is "
         "small and white large.",
         made_with, WorstPictures::most);
-    const std::array<std::string, 4> assets{"page.css", "check.css", "page.js", "check.js"};
-    return document(headline(folders), opening, body, assets);
+    return document(headline(folders), opening, body, {"page.css", "check.css", "page.js", "check.js"});
 }
 
 std::vector<SuiteVerdict> suites_of(std::span<const FolderVerdict> folders) {

@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 
 namespace pushfactor::demos {
@@ -28,7 +27,7 @@ std::vector<std::string> anchors_of(std::span<const Section> sections) {
     for (const Section& section : sections) {
         const std::string wanted = html::anchor(section.name);
         std::string anchor = wanted;
-        for (int i = 2; std::find(taken.begin(), taken.end(), anchor) != taken.end(); ++i)
+        for (int i = 2; std::ranges::find(taken, anchor) != taken.end(); ++i)
             anchor = fmt::format("{}-{}", wanted, i);
         taken.push_back(anchor);
         anchors.push_back(anchor);
@@ -122,9 +121,9 @@ std::string section_on(const std::string& page, const std::string& name) {
 }
 
 std::string document(const std::string& title, const std::string& opening, const std::string& body,
-                     std::span<const std::string> assets) {
+                     std::initializer_list<const char*> assets) {
     std::string styles, scripts;
-    for (const std::string& name : assets)
+    for (const std::string name : assets)
         (name.ends_with(".css") ? styles : scripts) += asset_text(asset_folder("pages") / name);
     return fmt::format(
                "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
@@ -142,8 +141,7 @@ std::string page_text(const std::string& title, const std::string& opening, std:
     std::string body = has_contents ? contents(sections, anchors) : "";
     body += "<main>\n";
     for (std::size_t i = 0; i < sections.size(); ++i) body += section_text(sections[i], anchors[i], has_contents);
-    const std::array<std::string, 2> assets{"page.css", "page.js"};
-    return document(title, opening, body + "</main>\n", assets);
+    return document(title, opening, body + "</main>\n", {"page.css", "page.js"});
 }
 
 void write_index(const std::filesystem::path& folder, const std::string& page) {

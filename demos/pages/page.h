@@ -4,6 +4,7 @@
 #include "demos/pages/table.h"
 
 #include <filesystem>
+#include <initializer_list>
 #include <span>
 #include <string>
 #include <vector>
@@ -30,7 +31,7 @@ struct Section {
 // The HTML text of a page with the styles and scripts of these names in assets/pages, in that order. `opening` is
 // text, `body` HTML. Throws OutputError if an asset is missing.
 std::string document(const std::string& title, const std::string& opening, const std::string& body,
-                     std::span<const std::string> assets);
+                     std::initializer_list<const char*> assets);
 
 // The HTML of a section on a page that page_text() made; empty if it has none of that name.
 std::string section_on(const std::string& page, const std::string& name);

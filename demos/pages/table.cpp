@@ -56,8 +56,7 @@ class TableWriter {
                                 .command = heading[column] == command_column,
                                 .numeric = is_numeric(column)});
         }
-        const auto naming =
-            std::find_if(columns_.begin(), columns_.end(), [](const Column& c) { return c.is_text(); });
+        const auto naming = std::ranges::find_if(columns_, [](const Column& c) { return c.is_text(); });
         naming_ = static_cast<std::size_t>(naming - columns_.begin());
     }
 
@@ -176,7 +175,7 @@ TextTable page_lines(const Table& table, const std::vector<std::string>& columns
     TextTable lines{columns.empty() ? table.columns : columns};
     std::vector<std::size_t> places;
     for (const std::string& name : lines.front()) {
-        const auto found = std::find(table.columns.begin(), table.columns.end(), name);
+        const auto found = std::ranges::find(table.columns, name);
         places.push_back(static_cast<std::size_t>(found - table.columns.begin()));
     }
     for (std::string& heading : lines.front()) std::replace(heading.begin(), heading.end(), '_', ' ');
@@ -194,7 +193,7 @@ std::string table_html(const TextTable& table, const std::string& name) {
 std::string command_html(std::string_view command, std::string_view what) {
     std::string live;
     if (std::filesystem::exists(live_page())) {
-        for (const pictures::live::Link& link : pictures::live::links_of(command)) {
+        for (const pictures::live::PageLink& link : pictures::live::page_links(command)) {
             live += fmt::format(" · <a href=\"{}\">In the browser{}</a>", html::escaped(link.address),
                                 link.differs.empty() ? "" : ", " + html::escaped(link.differs));
         }
@@ -216,7 +215,7 @@ std::string mark_html(Mark mark, std::optional<int> count) {
 std::array<int, mark_looks.size()> marks_in(const TextTable& table) {
     std::array<int, mark_looks.size()> counts{};
     if (table.empty()) return counts;
-    const auto found = std::find(table.front().begin(), table.front().end(), verdict_column);
+    const auto found = std::ranges::find(table.front(), verdict_column);
     const auto column = static_cast<std::size_t>(found - table.front().begin());
     for (std::size_t line = 1; line < table.size(); ++line) {
         if (column >= table[line].size()) continue;

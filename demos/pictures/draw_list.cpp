@@ -4,8 +4,6 @@
 #include "demos/text/errors.h"
 #include "engine/collision/polyhedron.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <limits>
 #include <map>
@@ -15,13 +13,6 @@ namespace pushfactor::demos::pictures {
 namespace {
 
 using engine::Vector3;
-
-// The body's own colour, or the next one of the palette. `movable` counts movable bodies without a colour.
-glm::vec3 colour_of(const BodyDescription& body, std::size_t& movable) {
-    return to_glm(body.colour ? *find_colour(*body.colour)
-                  : body.mass ? palette[movable++ % palette.size()]
-                              : palette.back());
-}
 
 void add_plane(const BuiltScene& scene, const engine::Body& body, renderer::Picture& picture) {
     if (is_level(body)) return;
@@ -170,7 +161,7 @@ renderer::Picture draw_list(const BuiltScene& scene, const View& view) {
     std::optional<double> ground = ground_height(scene);
     if (!ground) ground = view.floor;
     if (ground) picture.ground = renderer::Ground{.height = static_cast<float>(*ground)};
-    std::size_t movable = 0;
+    const std::vector<glm::vec3> colours = colours_of(scene);
     Shapes shapes;
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
         const BodyDescription& described = scene.bodies[i];
@@ -179,7 +170,7 @@ renderer::Picture draw_list(const BuiltScene& scene, const View& view) {
             picture.bodies.push_back({.position = to_glm(body.position),
                                       .orientation = to_glm(body.orientation),
                                       .shape = std::move(shape),
-                                      .colour = colour_of(described, movable),
+                                      .colour = colours[i],
                                       .index = i});
         };
         std::visit(engine::Overloaded{
@@ -195,10 +186,11 @@ renderer::Picture draw_list(const BuiltScene& scene, const View& view) {
 
 std::vector<glm::vec3> colours_of(const BuiltScene& scene) {
     std::vector<glm::vec3> colours;
-    std::size_t movable = 0;
+    std::size_t movable = 0;  // without a colour of their own
     for (const BodyDescription& body : scene.bodies) {
-        const bool plane = std::holds_alternative<PlaneShape>(body.shape);
-        colours.push_back(plane ? glm::vec3(0.5f) : colour_of(body, movable));
+        colours.push_back(to_glm(body.colour ? *find_colour(*body.colour)
+                                 : body.mass ? palette[movable++ % palette.size()]
+                                             : palette.back()));
     }
     return colours;
 }
@@ -209,9 +201,8 @@ void require_drawable(const BuiltScene& scene) {
         const double size = bounding_radius(body);
         const bool is_plane = std::holds_alternative<PlaneShape>(body.shape);
         if (body.position.cwiseAbs().maxCoeff() <= most && (is_plane || (size >= least && size <= most))) continue;
-        throw UsageError(
-            fmt::format("{}: body {}: must be within 1e12 m of the origin, and of 1e-12 to 1e12 m, to be drawn",
-                        scene.name, body.name));
+        throw UsageError("{}: body {}: must be within 1e12 m of the origin, and of 1e-12 to 1e12 m, to be drawn",
+                         scene.name, body.name);
     }
 }
 

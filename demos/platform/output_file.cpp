@@ -178,6 +178,10 @@ void write_file(const fs::path& path, std::string_view bytes) {
     file.commit();
 }
 
+void write_file(const fs::path& path, std::span<const std::uint8_t> bytes) {
+    write_file(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+}
+
 void print(std::string_view text) {
     write_file("-", text);
 }

@@ -1,8 +1,10 @@
 // A file that is written whole or not at all.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -85,6 +87,7 @@ void print(std::string_view text);
 
 // Writes the file `path` with the content `bytes`.
 void write_file(const std::filesystem::path& path, std::string_view bytes);
+void write_file(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);
 
 // The same without overwriting: `folder`/`stem``extension`, or with -2, -3, ... after the stem if the name is
 // taken. An existing file with exactly these bytes is kept. Returns the path.

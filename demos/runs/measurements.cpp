@@ -68,12 +68,10 @@ std::vector<double> corners_of(const BuiltScene& scene) {
 // Per movable body whether a distance or a joint holds it.
 std::vector<bool> held_in(const BuiltScene& scene) {
     std::vector<bool> all(scene.world.bodies.size(), false), held;
-    const auto hold = [&all](const auto& held_by) {
+    each_held(scene, [&all](const auto& held_by) {
         all[static_cast<std::size_t>(held_by.body_a)] = true;
         all[static_cast<std::size_t>(held_by.body_b)] = true;
-    };
-    if (scene.distances) std::ranges::for_each(scene.distances->distances(), hold);
-    if (scene.joints) std::ranges::for_each(scene.joints->joints(), hold);
+    });
     for (std::size_t i = 0; i < all.size(); ++i) {
         if (!scene.world.bodies[i].is_static()) held.push_back(all[i]);
     }
@@ -83,7 +81,7 @@ std::vector<bool> held_in(const BuiltScene& scene) {
 // Whether no row of the last step acts on this body.
 bool is_free(const engine::World& world, const Body& body) {
     const auto index = static_cast<int>(&body - world.bodies.data());
-    return std::none_of(world.rows().begin(), world.rows().end(), [index](const engine::ConstraintRow& row) {
+    return std::ranges::none_of(world.rows(), [index](const engine::ConstraintRow& row) {
         return row.body_a == index || row.body_b == index;
     });
 }

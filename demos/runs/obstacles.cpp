@@ -61,14 +61,14 @@ void Obstacles::list(const BuiltScene& scene) {
 }
 
 bool Obstacles::is_behind_plane(const Vector3& centre) const {
-    return std::any_of(all_.begin(), all_.end(), [&](const Obstacle& obstacle) {
+    return std::ranges::any_of(all_, [&](const Obstacle& obstacle) {
         return std::holds_alternative<engine::collision::Plane>(obstacle.shape) &&
                (obstacle.now.from_world.conjugate() * Vector3::UnitY()).dot(centre - obstacle.now.centre) < 0.0;
     });
 }
 
 bool Obstacles::is_passed(const Vector3& from, const Vector3& to) const {
-    return std::any_of(all_.begin(), all_.end(), [&](const Obstacle& obstacle) {
+    return std::ranges::any_of(all_, [&](const Obstacle& obstacle) {
         const Vector3 a = obstacle.before.in_frame(from), b = obstacle.now.in_frame(to);
         return std::visit(
             engine::Overloaded{

@@ -10,6 +10,7 @@
 #include "engine/rattle.h"
 #include "engine/world.h"
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
@@ -37,6 +38,13 @@ struct BuiltScene {
     std::optional<Standing> standing;
     std::function<std::unique_ptr<SceneMeasure>(const engine::World&)> measure;
 };
+
+// Calls `visit` with each distance and each joint of the scene.
+template <typename Visit>
+void each_held(const BuiltScene& scene, const Visit& visit) {
+    if (scene.distances) std::ranges::for_each(scene.distances->distances(), visit);
+    if (scene.joints) std::ranges::for_each(scene.joints->joints(), visit);
+}
 
 // Builds the world of a description under the settings; parts that either leaves out are absent. If distances or
 // joints hang on "world", the last body is a static one for it. Throws engine::InvalidInput for an unknown body

@@ -38,12 +38,6 @@ double scale_of(const engine::Joint& joint, const BuiltScene& scene) {
     return std::max(radius_of(scene, joint.body_a), radius_of(scene, joint.body_b));
 }
 
-template <typename Visit>
-void each_held(const BuiltScene& scene, const Visit& visit) {
-    if (scene.distances) std::ranges::for_each(scene.distances->distances(), visit);
-    if (scene.joints) std::ranges::for_each(scene.joints->joints(), visit);
-}
-
 }  // namespace
 
 Stretch::Stretch(const BuiltScene& scene) {

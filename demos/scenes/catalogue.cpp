@@ -20,6 +20,16 @@ const SceneEntry* find_scene(std::string_view name) {
     return found == scenes.end() ? nullptr : &*found;
 }
 
+std::vector<std::string> parameter_names() {
+    std::vector<std::string> names;
+    for (const SceneEntry& scene : catalogue()) {
+        for (const Parameter& parameter : scene.parameters) {
+            if (std::ranges::find(names, parameter.name) == names.end()) names.emplace_back(parameter.name);
+        }
+    }
+    return names;
+}
+
 std::string made_of(const SceneDescription& description) {
     const auto has = [&](double BodyDescription::*what) {
         return std::any_of(description.bodies.begin(), description.bodies.end(),

@@ -5,7 +5,9 @@
 #include "demos/scenes/scene_description.h"
 
 #include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace pushfactor::demos {
 
@@ -26,6 +28,9 @@ std::span<const SceneEntry> catalogue();
 
 // Null if there is no scene of that name.
 const SceneEntry* find_scene(std::string_view name);
+
+// Names of the parameters of all scenes, each once.
+std::vector<std::string> parameter_names();
 
 // The parts of a description in words: "50 bodies, gravity, 50 distances".
 std::string made_of(const SceneDescription& description);

@@ -152,13 +152,11 @@ std::vector<Ball> hull_of(const BodyDescription& body, const Vector3& position,
 
 std::vector<Ball> held_points(const BuiltScene& scene) {
     std::vector<Ball> points;
-    const auto add = [&](const auto& held) {
+    each_held(scene, [&](const auto& held) {
         const auto [from, to] = span_of(held, scene.world.bodies);
         points.push_back({.centre = from});
         points.push_back({.centre = to});
-    };
-    if (scene.distances) std::ranges::for_each(scene.distances->distances(), add);
-    if (scene.joints) std::ranges::for_each(scene.joints->joints(), add);
+    });
     return points;
 }
 

@@ -65,7 +65,7 @@ void look(const Tolerance& tolerance, const renderer::Image& expected, const ren
 
 bool Tolerance::accepts(const renderer::ImageDifference& difference, std::optional<double> mean_flip) const {
     if (flip) return mean_flip && *mean_flip <= *flip;
-    return std::all_of(limits.begin(), limits.end(), [&](const Limit& limit) { return keeps(limit, difference); });
+    return std::ranges::all_of(limits, [&](const Limit& limit) { return keeps(limit, difference); });
 }
 
 std::string Tolerance::complaint(const renderer::ImageDifference& difference,
@@ -75,8 +75,7 @@ std::string Tolerance::complaint(const renderer::ImageDifference& difference,
         return fmt::format("mean FLIP error {:.3g} ({} allowed); {} of the pixels differ, {}",
                            mean_flip.value_or(1.0), *flip, percent(difference.share_above(0)), largest);
     }
-    const auto broken =
-        std::find_if(limits.begin(), limits.end(), [&](const Limit& limit) { return !keeps(limit, difference); });
+    const auto broken = std::ranges::find_if(limits, [&](const Limit& limit) { return !keeps(limit, difference); });
     const Limit limit = broken == limits.end() ? Limit{} : *broken;
     const std::string more = limit.level > 0 ? fmt::format(" by more than {} levels", limit.level) : "";
     const std::string allowed = limit.share > 0.0 ? fmt::format(" ({} allowed)", percent(limit.share)) : "";
@@ -113,9 +112,10 @@ Compared compare(const Comparison& how, const std::filesystem::path& expected, c
     compared.actual = file;
     const std::string name = compared.verdict.name = expected.filename();
     const std::optional<Bytes> bytes = read_bytes(expected);
-    if (compared.actual.empty() && (how.same_bytes || !bytes)) {
-        compared.actual = renderer::encode_png(actual, {.dots_per_inch = 0.0, .film = how.film});
-    }
+    const auto encode = [&] {
+        if (compared.actual.empty()) compared.actual = renderer::encode_png(actual, {.film = how.film});
+    };
+    if (how.same_bytes || !bytes) encode();
     if (!bytes) {
         compared.verdict = refused(name, Finding::missing, "missing");
         return compared;
@@ -143,9 +143,7 @@ Compared compare(const Comparison& how, const std::filesystem::path& expected, c
     } catch (const renderer::RendererError& error) {
         compared.verdict = refused(name, Finding::unreadable, error.what());
     }
-    if (compared.actual.empty()) {
-        compared.actual = renderer::encode_png(actual, {.dots_per_inch = 0.0, .film = how.film});
-    }
+    encode();
     return compared;
 }
 
@@ -153,13 +151,9 @@ std::optional<Bytes> read_bytes(const std::filesystem::path& file) {
     std::ifstream stream(file, std::ios::binary);
     if (!stream) {
         if (!std::filesystem::exists(file)) return std::nullopt;
-        throw OutputError(fmt::format("cannot read {}: {}", file.string(), std::strerror(errno)));
+        throw OutputError("cannot read {}: {}", file.string(), std::strerror(errno));
     }
     return Bytes(std::istreambuf_iterator<char>(stream), {});
-}
-
-void write_bytes(const std::filesystem::path& file, const Bytes& bytes) {
-    write_file(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 
 PictureVerdict refused(const std::string& name, Finding finding, const std::string& text) {

@@ -62,7 +62,6 @@ Compared compare(const Comparison& how, const std::filesystem::path& expected, c
 
 // The bytes of a file; none if there is no such file. Throws OutputError if it cannot be read.
 std::optional<Bytes> read_bytes(const std::filesystem::path& file);
-void write_bytes(const std::filesystem::path& file, const Bytes& bytes);
 
 // The verdict on a picture that cannot be compared.
 PictureVerdict refused(const std::string& name, Finding finding, const std::string& text);

@@ -39,8 +39,8 @@ std::optional<Json> read_summary(const fs::path& folder) {
     Json summary = read_json_file(file, file.string());
     const std::string program = program_of(summary);
     if (version_in(program) > version_in(version_text())) {
-        throw UsageError(fmt::format("{}: made_with.program {}: must not be newer than this program, {}",
-                                     file.string(), program, version_number()));
+        throw UsageError("{}: made_with.program {}: must not be newer than this program, {}", file.string(),
+                         program, version_number());
     }
     return summary;
 }
@@ -110,7 +110,7 @@ std::vector<std::string> Expectation::unexpected() const {
 }
 
 std::vector<fs::path> folders_of_pictures(const fs::path& folder) {
-    if (!fs::is_directory(folder)) throw UsageError(fmt::format("check {}: must be a folder", folder.string()));
+    if (!fs::is_directory(folder)) throw UsageError("check {}: must be a folder", folder.string());
     std::set<fs::path> found;
     bool has_config = false;
     for (const fs::path& below : files_below(folder)) {
@@ -120,9 +120,9 @@ std::vector<fs::path> folders_of_pictures(const fs::path& folder) {
     }
     if (!has_config) {
         throw UsageError(
-            fmt::format("check {}: must have a config.json, as `render` writes it, in it or below; pictures "
-                        "without one are compared with --against",
-                        folder.string()));
+            "check {}: must have a config.json, as `render` writes it, in it or below; pictures "
+            "without one are compared with --against",
+            folder.string());
     }
     return {found.begin(), found.end()};
 }
@@ -132,7 +132,7 @@ Expectation read_expectation(const fs::path& folder, const GivenOptions& given) 
     const fs::path config = folder / config_file;
     add_config(config, expected.given);
     const auto* const scene = expected.given.find("scene");
-    if (!scene) throw UsageError(fmt::format("{}: scene: must be given", config.string()));
+    if (!scene) throw UsageError("{}: scene: must be given", config.string());
     expected.sequence = plan_sequence(scene->text, expected.given);
     return expected;
 }
@@ -152,7 +152,7 @@ std::vector<fs::path> files_below(const fs::path& folder) {
         std::vector<fs::path> entries;
         auto at = fs::directory_iterator(here, error);
         for (; !error && at != fs::end(at); at.increment(error)) entries.push_back(at->path());
-        if (error) throw UsageError(fmt::format("check {}: {}", here.string(), error.message()));
+        if (error) throw UsageError("check {}: {}", here.string(), error.message());
         std::sort(entries.begin(), entries.end());
         for (const fs::path& entry : entries) {
             if (fs::is_directory(entry, error)) {

@@ -23,6 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using pictures::FrameQueue;
+using pictures::process_time;
 using pictures::StageWatch;
 
 // Takes the verdicts in the order of the pictures.
@@ -33,9 +34,9 @@ class PictureVerdicts {
         : worst_(job.pages / job.anchor), update_(update) {}
 
     FrameQueue::End of(const std::function<Compared()>& compare) {
-        const Stopwatch own;
+        const double start = process_time().wall;
         auto compared = std::make_shared<Compared>(compare());
-        compared->verdict.seconds = own.seconds();
+        compared->verdict.seconds = process_time().wall - start;
         return [this, compared](StageWatch&) { take(*compared); };
     }
 
@@ -48,7 +49,7 @@ class PictureVerdicts {
     void take(const Compared& compared) {
         worst_.offer(compared);
         if (update_ && !compared.verdict.holds()) {
-            write_bytes(update_->staged(compared.verdict.name), compared.actual);
+            write_file(update_->staged(compared.verdict.name), compared.actual);
         }
         verdicts_.push_back(compared.verdict);
     }
@@ -69,7 +70,7 @@ void add_missing(const Sequence& sequence, std::vector<PictureVerdict>& verdicts
 // PNG files below a folder, by their paths in it.
 std::set<std::string> pictures_below(const fs::path& folder) {
     std::set<std::string> names;
-    if (!fs::is_directory(folder)) throw UsageError(fmt::format("check {}: must be a folder", folder.string()));
+    if (!fs::is_directory(folder)) throw UsageError("check {}: must be a folder", folder.string());
     for (const fs::path& file : files_below(folder)) {
         if (is_png(file)) names.insert(file.lexically_relative(folder).generic_string());
     }
@@ -112,7 +113,7 @@ long Update::apply() {
             write_file(target, read_bytes_of(entry.path()).value_or(""));
         } else {
             fs::rename(entry.path(), target, error);
-            if (error) throw OutputError(fmt::format("{}: {}", target.string(), error.message()));
+            if (error) throw OutputError("{}: {}", target.string(), error.message());
         }
         ++count;
     }
@@ -121,7 +122,7 @@ long Update::apply() {
 
 FolderVerdict check_folder(const Expectation& expected, const Rules& rules, const FolderJob& job,
                            pictures::OffscreenRenderer& offscreen, Update* update) {
-    const Stopwatch stopwatch;
+    const double start = process_time().wall;
     Sequence sequence = expected.sequence;
     pictures::SurveyOnce survey(sequence.frames);
     pictures::add_overview(sequence.panels, survey);
@@ -179,16 +180,16 @@ FolderVerdict check_folder(const Expectation& expected, const Rules& rules, cons
         std::error_code ignored;
         fs::remove(update->staged("trajectory.csv"), ignored);
     }
-    verdict.seconds = stopwatch.seconds();
+    verdict.seconds = process_time().wall - start;
     return verdict;
 }
 
 FolderVerdict check_pictures(const fs::path& expected, const fs::path& actual, const Tolerance& tolerance,
                              const FolderJob& job) {
-    const Stopwatch stopwatch;
+    const double start = process_time().wall;
     const std::set<std::string> names = pictures_below(expected), others = pictures_below(actual);
     if (names.empty()) {
-        throw UsageError(fmt::format("check {}: must have PNG files in it or below", expected.string()));
+        throw UsageError("check {}: must have PNG files in it or below", expected.string());
     }
     FolderVerdict verdict{.name = job.name, .anchor = job.anchor, .how = tolerance.text()};
     for (const std::string& name : others) {
@@ -214,7 +215,7 @@ FolderVerdict check_pictures(const fs::path& expected, const fs::path& actual, c
     queue.flush();
     stop_if_interrupted("no file was changed");
     verdict.pictures = verdicts.all();
-    verdict.seconds = stopwatch.seconds();
+    verdict.seconds = process_time().wall - start;
     return verdict;
 }
 

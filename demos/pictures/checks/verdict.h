@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -58,15 +57,6 @@ struct FolderJob {
     std::string anchor;           // of the verdict
     std::filesystem::path pages;  // folder of the page
     std::function<void(long)> progress = [](long) {};
-};
-
-class Stopwatch {
-  public:
-    double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
-
-  private:
-    using Clock = std::chrono::steady_clock;
-    Clock::time_point start_ = Clock::now();
 };
 
 }  // namespace pushfactor::demos::checks

@@ -15,7 +15,7 @@ constexpr std::array exhibits{"expected", "actual", "difference"};
 void write_exhibit(const std::filesystem::path& file, const Bytes& bytes) {
     if (bytes.empty()) return;
     make_folder(file.parent_path());
-    write_bytes(file, bytes);
+    write_file(file, bytes);
 }
 
 bool is_exhibit(const std::filesystem::path& file) {

@@ -192,7 +192,7 @@ void Film::write(renderer::Image& sheet, double time) const {
     }
     // Arrows in the legend have their length at the camera's target; if the cameras of the panels differ, each
     // panel has a legend.
-    const bool alike = std::all_of(views_.begin(), views_.end(), [&](const View& view) {
+    const bool alike = std::ranges::all_of(views_, [&](const View& view) {
         return distance_of(view) == distance_of(views_.front()) &&
                view.field_of_view == views_.front().field_of_view;
     });
@@ -236,20 +236,19 @@ void Film::draw(const Snapshot& moment, renderer::Image& sheet) const {
 void require_poses_only(const Sequence& sequence, const std::string& file) {
     const FrameChoices& frames = sequence.panels.front().choices.frames;
     if (sequence.panels.size() > 1) {
-        throw UsageError(fmt::format("--from-trajectory {}: must be of one run, not with --compare", file));
+        throw UsageError("--from-trajectory {}: must be of one run, not with --compare", file);
     }
     for (const auto& [option, given] :
          {std::pair{"--ghosts", !frames.ghosts.empty()}, std::pair{"--shutter", frames.shutter > 0.0}}) {
         if (!given) continue;
-        throw UsageError(
-            fmt::format("{}: must not be with --from-trajectory, which takes no steps between frames", option));
+        throw UsageError("{}: must not be with --from-trajectory, which takes no steps between frames", option);
     }
     for (const OverlayItem& item : frames.overlay) {
         if (item.kind == OverlayKind::no_contacts) continue;
         throw UsageError(
-            fmt::format("--overlay {}: must not be with --from-trajectory, which has poses only; without it each "
-                        "shard simulates the run itself",
-                        name_of(item.kind)));
+            "--overlay {}: must not be with --from-trajectory, which has poses only; without it each "
+            "shard simulates the run itself",
+            name_of(item.kind));
     }
 }
 

@@ -30,7 +30,7 @@ FrameQueue::End FrameWriter::encode(const std::string& name, const renderer::Ima
     if (png_) png = renderer::encode_png(image, {.dots_per_inch = 0.0, .film = film_});
     watch.end("encode");
     return [this, &name, &image, png = std::move(png)](StageWatch& own) {
-        if (png_) write_file(folder_ / name, {reinterpret_cast<const char*>(png.data()), png.size()});
+        if (png_) write_file(folder_ / name, png);
         if (video_name_ && !video_) video_ = std::make_unique<Video>(*video_name_, image.width, image.height, fps_);
         if (video_) video_->add(image);
         own.end("write");

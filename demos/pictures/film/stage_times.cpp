@@ -34,7 +34,7 @@ StageTimes::StageTimes() : drawn_until_(process_time()), start_(drawn_until_) {}
 
 void StageTimes::add(const std::string& stage, const StageTime& time) {
     const std::lock_guard lock(mutex_);
-    if (std::find(names_.begin(), names_.end(), stage) == names_.end()) names_.push_back(stage);
+    if (std::ranges::find(names_, stage) == names_.end()) names_.push_back(stage);
     sums_[stage].wall += time.wall;
     sums_[stage].cpu += time.cpu;
 }

@@ -80,7 +80,7 @@ void in_name_of(const fs::path& file, const Work& work) {
     try {
         work();
     } catch (const ChildProcessError& error) {
-        throw OutputError(fmt::format("{}: {}", file.string(), error.what()));
+        throw OutputError("{}: {}", file.string(), error.what());
     }
 }
 
@@ -89,7 +89,7 @@ void in_name_of(const fs::path& file, const Work& work) {
 void check_video_name(const fs::path& file) {
     const std::string format = extension(file);
     if (format == ".mp4" || format == ".webm" || format == ".gif") return;
-    throw UsageError(fmt::format("--video {}: must end in .mp4, .webm or .gif", file.string()));
+    throw UsageError("--video {}: must end in .mp4, .webm or .gif", file.string());
 }
 
 void require_ffmpeg(const fs::path& file) {

@@ -222,8 +222,8 @@ void Document::write(OutputFile& file) {
     const std::size_t binary = vertices_.size() + indices_.size() + times_.size() + animation_;
     const std::size_t all = 12 + 8 + text.size() + (binary > 0 ? 8 + binary : 0);
     if (all > std::numeric_limits<std::uint32_t>::max()) {
-        throw OutputError(fmt::format("{}: {:.1f} GB are more than the 4.29 GB of a .glb file", file.name(),
-                                      1e-9 * static_cast<double>(all)));
+        throw OutputError("{}: {:.1f} GB are more than the 4.29 GB of a .glb file", file.name(),
+                          1e-9 * static_cast<double>(all));
     }
     std::string start = "glTF";
     for (const std::size_t number : {std::size_t{2}, all, text.size()}) {

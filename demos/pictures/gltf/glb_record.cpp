@@ -158,8 +158,7 @@ long steps_a_key(const Choices& choices) {
 
 View view_at_start(const Choices& choices, const Survey& survey, const BuiltScene& scene) {
     const View view = choices.frames.camera.view.value_or(scene.view);
-    const double aspect = static_cast<double>(choices.frames.width) / choices.frames.height;
-    return choices.frames.camera.fit ? composed(view, survey.subject, aspect) : view;
+    return choices.frames.camera.fit ? composed(view, survey.subject, choices.frames.aspect()) : view;
 }
 
 Json about(const Choices& choices) {
@@ -187,9 +186,7 @@ class GlbRecord : public Record {
         }
         bar_nodes_ = add_bars(picture, document_);
         for (const renderer::Bar& bar : picture.bars) bar_stretches_.push_back(stretch_of(bar));
-        const View first = turned(camera_, view_, start.sample().time);
-        camera_node_ =
-            add_camera(first, static_cast<double>(choices.frames.width) / choices.frames.height, document_);
+        camera_node_ = add_camera(turned(camera_, view_, start.sample().time), choices.frames.aspect(), document_);
         add_sun(picture, document_);
         observe(start);
     }
@@ -265,9 +262,7 @@ class GlbRecord : public Record {
 }  // namespace
 
 void check_glb(const std::filesystem::path& file, const Choices& choices) {
-    const auto refuse = [&](const std::string& why) {
-        throw UsageError(fmt::format("--glb {}: {}", file.string(), why));
-    };
+    const auto refuse = [&](const std::string& why) { throw UsageError("--glb {}: {}", file.string(), why); };
     const FrameChoices& frames = choices.frames;
     if (!file.filename().string().ends_with(".glb")) refuse("must end in .glb");
     if (!frames.at.empty()) refuse("must be of a sequence, not of stills (--at)");

@@ -138,7 +138,7 @@ bool is_constant(const Values& values, std::size_t numbers_per_key) {
 Stretched stretched(std::span<const std::optional<Segment>> keys, const Stretch& how) {
     Stretched result;
     const bool alike = all_alike(keys);
-    const auto first = std::find_if(keys.begin(), keys.end(), [](const auto& key) { return key.has_value(); });
+    const auto first = std::ranges::find_if(keys, [](const auto& key) { return key.has_value(); });
     Segment last = first == keys.end() ? Segment{} : **first;
     const double usual = (last.to - last.from).norm();
     Vector3 direction = Vector3::UnitY();

@@ -74,7 +74,7 @@ std::string address_of(const std::string& scene, const OptionTexts& deciding, co
 
 }  // namespace
 
-std::vector<Link> links_of(std::string_view command) {
+std::vector<PageLink> page_links(std::string_view command) {
     const std::vector<std::string> words = words_of(command);
     if (words.size() < 3 || words[0] != "pushfactor" || (words[1] != "run" && words[1] != "render")) return {};
     const SceneEntry* const scene = find_scene(words[2]);
@@ -83,7 +83,7 @@ std::vector<Link> links_of(std::string_view command) {
     const OptionTexts own = deciding(*scene, options);
     const auto comparison = parse_comparison(text_of(options, "compare"));
     if (!comparison) return {{address_of(words[2], own, options), ""}};
-    std::vector<Link> links;
+    std::vector<PageLink> links;
     for (const std::string& value : comparison->values) {
         OptionTexts with = own;
         std::erase_if(with, [&](const auto& option) { return option.first == comparison->option; });

@@ -30,7 +30,7 @@ Json bound(double value) {
 void require_watchable(const Simulation& simulation) {
     const Settings& settings = simulation.settings();
     const auto refuse = [](const std::string& field, const std::string& value, const std::string& allowed) {
-        throw UsageError(fmt::format("{} {}: must be {} to look at its rows", field, value, allowed));
+        throw UsageError("{} {}: must be {} to look at its rows", field, value, allowed);
     };
     if (simulation.sample().step == 0) refuse("step", "0", "at least 1");
     if (settings.solver != "pgs") refuse("--solver", settings.solver, "pgs");

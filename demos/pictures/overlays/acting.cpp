@@ -159,8 +159,6 @@ std::vector<Acting> all_acting_in(const BuiltScene& scene) {
     return acting;
 }
 
-using engine::Vector3;
-
 std::vector<PressureCentre> pressure_centres(const BuiltScene& scene) {
     struct Pressure {
         Vector3 moment = Vector3::Zero();  // N m, sum of force times place
@@ -172,9 +170,8 @@ std::vector<PressureCentre> pressure_centres(const BuiltScene& scene) {
         pressure.moment += force * site.position;
         pressure.force += force;
     };
-    const engine::Columns& lambda = scene.world.lambda();
     for (const engine::ContactSite& site : scene.contacts->sites())
-        add(site, lambda(static_cast<Eigen::Index>(site.normal_row), lambda.cols() - 1));
+        add(site, answer_of(scene.world, site.normal_row).lasting_force);
     for (const engine::RestingContact& contact : scene.contacts->sites_at_rest(scene.world.bodies))
         add(contact.site, contact.normal);
     std::vector<PressureCentre> centres;

@@ -4,8 +4,6 @@
 #include "demos/pictures/to_glm.h"
 #include "demos/text/errors.h"
 
-#include <fmt/format.h>
-
 #include <map>
 
 namespace pushfactor::demos::pictures {
@@ -258,8 +256,8 @@ void require_shown(const BuiltScene& scene, const std::vector<OverlayItem>& over
         const std::string lack = lack_of(scene, item.kind);
         if (lack.empty()) continue;
         if (item.kind == OverlayKind::rest) throw UsageError("--overlay rest: " + lack);
-        throw UsageError(fmt::format("--overlay {}: scene {} has {}, so there is nothing to show",
-                                     name_of(item.kind), scene.name, lack));
+        throw UsageError("--overlay {}: scene {} has {}, so there is nothing to show", name_of(item.kind),
+                         scene.name, lack);
     }
 }
 

@@ -73,7 +73,7 @@ std::string inline_json(const Json& json) {
 
 void fill_in(std::string& text, std::string_view mark, const std::string& content) {
     const std::size_t at = text.find(mark);
-    if (at == std::string::npos) throw OutputError(fmt::format("page.html of the replays has no {}", mark));
+    if (at == std::string::npos) throw OutputError("page.html of the replays has no {}", mark);
     text.replace(at, mark.size(), content);
 }
 

@@ -55,7 +55,7 @@ Frames replay_frames(const Choices& choices) {
 
 void check_replay_name(const std::filesystem::path& file) {
     if (file == "-" || file.extension() == ".html") return;
-    throw UsageError(fmt::format("--replay {}: must end in .html", file.string()));
+    throw UsageError("--replay {}: must end in .html", file.string());
 }
 
 Replay::Replay(const ReplayChoices& choices, const Session& session)
@@ -102,13 +102,12 @@ std::vector<View> Replay::views() const {
     Outline outline;
     for (const Track& track : tracks_) track.extents.add_to(outline, reached);
     const Subject subject = subject_of(tracks_.back().simulation->scene(), outline);
-    const double aspect = static_cast<double>(frames_.width) / frames_.height;
     std::vector<View> views;
     for (const Track& track : tracks_) {
         const View view = has_camera_ ? track.view
                                       : overview(track.view, tracks_.front().start, reached,
                                                  least_aspect(frames_, tracks_.size()));
-        views.push_back(frames_.camera.fit ? composed(view, subject, aspect) : view);
+        views.push_back(frames_.camera.fit ? composed(view, subject, frames_.aspect()) : view);
     }
     return views;
 }

@@ -108,7 +108,7 @@ void add_contacts(BuiltScene& scene, const SceneDescription& description, const 
     if (!description.contacts) return;
     const std::vector<collision::Collider> colliders = make_colliders(description, settings);
     const auto any = [&](double collision::Collider::*what) {
-        return std::any_of(colliders.begin(), colliders.end(), [what](const auto& c) { return c.*what > 0.0; });
+        return std::ranges::any_of(colliders, [what](const auto& c) { return c.*what > 0.0; });
     };
     const engine::ContactChoices choices{
         .correction = settings.contacts,

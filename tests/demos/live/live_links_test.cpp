@@ -9,7 +9,7 @@ namespace {
 
 std::vector<std::string> addresses(const std::string& command) {
     std::vector<std::string> found;
-    for (const pictures::live::Link& link : pictures::live::links_of(command)) found.push_back(link.address);
+    for (const pictures::live::PageLink& link : pictures::live::page_links(command)) found.push_back(link.address);
     return found;
 }
 
@@ -23,7 +23,7 @@ TEST_CASE("a command on a page leads to the instant that it shows last, with the
           List{"live.html#scenes&scene=funnel&step=1800"});
     CHECK(addresses("pushfactor run chain --end-mass 1000 --dt 1/240 --seconds 1/2 --timing --threads 2") ==
           List{"live.html#scenes&scene=chain&end-mass=1000&dt=1/240&step=120"});
-    const auto compared = pictures::live::links_of(
+    const auto compared = pictures::live::page_links(
         "pushfactor render intersecting-stack --preset paper --compare push=persistent,single-frame --at 0,0.5 "
         "--camera fit --overlay velocities:10,trails");
     REQUIRE(compared.size() == 2);
