@@ -1,7 +1,7 @@
 # The page with the program inside: one HTML file, build/browser/live.html. Node comes with Emscripten.
 add_executable(live pictures/live/exports.cpp)
 target_link_libraries(live PRIVATE pushfactor_flags demos_pictures)
-target_precompile_headers(live REUSE_FROM demos_text)
+target_precompile_headers(live REUSE_FROM demos_base)
 target_link_options(live PRIVATE -sMODULARIZE=1 -sEXPORT_NAME=Program -sENVIRONMENT=worker,node -sALLOW_MEMORY_GROWTH=1
     -sEXPORTED_RUNTIME_METHODS=ccall,UTF8ToString)
 

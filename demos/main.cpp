@@ -1,9 +1,9 @@
 // The program pushfactor. See --help for its commands.
+#include "demos/base/platform/messages.h"
+#include "demos/base/platform/output_file.h"
+#include "demos/base/platform/progress.h"
+#include "demos/base/text/errors.h"
 #include "demos/commands/command_line.h"
-#include "demos/platform/messages.h"
-#include "demos/platform/output_file.h"
-#include "demos/platform/progress.h"
-#include "demos/text/errors.h"
 #include "engine/base/invalid_input.h"
 
 #include <csignal>

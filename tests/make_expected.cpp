@@ -1,6 +1,6 @@
 // Writes what tests compare with: the golden images in assets/golden and the scene files in tests/scenes. Run it
 // after an intended change, and look at what git says has changed before you commit.
-#include "demos/platform/output_file.h"
+#include "demos/base/platform/output_file.h"
 #include "demos/scenes/scene_file.h"
 #include "tests/demos/reports/stability_files.h"
 #include "tests/renderer/golden.h"

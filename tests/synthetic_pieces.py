@@ -14,7 +14,7 @@ MASK = (1 << 64) - 1
 
 
 def key_hash(text):
-    """As demos/text/text_hash.h."""
+    """As demos/base/text/text_hash.h."""
     value = 0xCBF29CE484222325
     for byte in text.encode():
         value = ((value ^ byte) * 0x100000001B3) & MASK

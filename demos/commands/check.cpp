@@ -1,12 +1,12 @@
+#include "demos/base/platform/output_file.h"
+#include "demos/base/platform/progress.h"
+#include "demos/base/platform/version.h"
+#include "demos/base/text/errors.h"
+#include "demos/base/text/numbers.h"
 #include "demos/commands/commands.h"
 #include "demos/pages/check_page.h"
 #include "demos/pages/verdict_files.h"
 #include "demos/pictures/checks/folder_check.h"
-#include "demos/platform/output_file.h"
-#include "demos/platform/progress.h"
-#include "demos/platform/version.h"
-#include "demos/text/errors.h"
-#include "demos/text/numbers.h"
 
 #include <fmt/format.h>
 

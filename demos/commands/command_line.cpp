@@ -1,9 +1,9 @@
 #include "demos/commands/command_line.h"
 
-#include "demos/platform/output_file.h"
-#include "demos/platform/version.h"
-#include "demos/text/errors.h"
-#include "demos/text/suggest.h"
+#include "demos/base/platform/output_file.h"
+#include "demos/base/platform/version.h"
+#include "demos/base/text/errors.h"
+#include "demos/base/text/suggest.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

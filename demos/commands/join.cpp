@@ -1,9 +1,9 @@
+#include "demos/base/platform/output_file.h"
+#include "demos/base/platform/progress.h"
+#include "demos/base/text/errors.h"
 #include "demos/commands/commands.h"
 #include "demos/pictures/film/video.h"
-#include "demos/platform/output_file.h"
-#include "demos/platform/progress.h"
 #include "demos/runs/session.h"
-#include "demos/text/errors.h"
 #include "renderer/base/renderer_error.h"
 #include "renderer/images/read_png.h"
 

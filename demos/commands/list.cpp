@@ -1,5 +1,5 @@
+#include "demos/base/platform/output_file.h"
 #include "demos/commands/commands.h"
-#include "demos/platform/output_file.h"
 #include "demos/scenes/catalogue.h"
 
 #include <fmt/format.h>

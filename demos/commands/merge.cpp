@@ -1,9 +1,9 @@
+#include "demos/base/platform/output_file.h"
+#include "demos/base/platform/shell_words.h"
+#include "demos/base/text/errors.h"
+#include "demos/base/text/shard.h"
 #include "demos/commands/report.h"
-#include "demos/platform/output_file.h"
-#include "demos/platform/shell_words.h"
 #include "demos/reports/study.h"
-#include "demos/text/errors.h"
-#include "demos/text/shard.h"
 
 #include <fmt/format.h>
 

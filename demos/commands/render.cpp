@@ -1,3 +1,8 @@
+#include "demos/base/platform/messages.h"
+#include "demos/base/platform/output_file.h"
+#include "demos/base/platform/progress.h"
+#include "demos/base/text/errors.h"
+#include "demos/base/text/json.h"
 #include "demos/commands/commands.h"
 #include "demos/commands/run_options.h"
 #include "demos/pictures/camera/survey.h"
@@ -9,15 +14,10 @@
 #include "demos/pictures/lettering.h"
 #include "demos/pictures/overlays/overlay.h"
 #include "demos/pictures/recorded_session.h"
-#include "demos/platform/messages.h"
-#include "demos/platform/output_file.h"
-#include "demos/platform/progress.h"
 #include "demos/runs/recorder.h"
 #include "demos/runs/scene.h"
 #include "demos/runs/trajectory.h"
 #include "demos/scenes/scene_file.h"
-#include "demos/text/errors.h"
-#include "demos/text/json.h"
 
 #include <fmt/format.h>
 

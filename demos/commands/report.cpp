@@ -1,11 +1,11 @@
 #include "demos/commands/report.h"
 
+#include "demos/base/platform/output_file.h"
+#include "demos/base/text/errors.h"
+#include "demos/base/text/numbers.h"
+#include "demos/base/text/suggest.h"
 #include "demos/commands/commands.h"
-#include "demos/platform/output_file.h"
 #include "demos/reports/study.h"
-#include "demos/text/errors.h"
-#include "demos/text/numbers.h"
-#include "demos/text/suggest.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,10 +1,10 @@
+#include "demos/base/platform/messages.h"
+#include "demos/base/platform/output_file.h"
+#include "demos/base/platform/progress.h"
 #include "demos/commands/commands.h"
 #include "demos/commands/run_options.h"
 #include "demos/pictures/gltf/glb_record.h"
 #include "demos/pictures/recorded_session.h"
-#include "demos/platform/messages.h"
-#include "demos/platform/output_file.h"
-#include "demos/platform/progress.h"
 
 #include <fmt/format.h>
 

@@ -1,10 +1,10 @@
 #include "demos/commands/run_options.h"
 
+#include "demos/base/platform/messages.h"
+#include "demos/base/text/errors.h"
+#include "demos/base/text/numbers.h"
 #include "demos/options/simulation_options.h"
-#include "demos/platform/messages.h"
 #include "demos/runs/simulation.h"
-#include "demos/text/errors.h"
-#include "demos/text/numbers.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

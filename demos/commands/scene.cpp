@@ -1,7 +1,7 @@
+#include "demos/base/platform/output_file.h"
 #include "demos/commands/commands.h"
 #include "demos/commands/run_options.h"
 #include "demos/options/comparison.h"
-#include "demos/platform/output_file.h"
 #include "demos/scenes/scene_file.h"
 
 namespace pushfactor::demos::commands {

@@ -1,9 +1,9 @@
 #include "demos/commands/words.h"
 
-#include "demos/platform/output_file.h"
-#include "demos/platform/shell_words.h"
-#include "demos/text/errors.h"
-#include "demos/text/suggest.h"
+#include "demos/base/platform/output_file.h"
+#include "demos/base/platform/shell_words.h"
+#include "demos/base/text/errors.h"
+#include "demos/base/text/suggest.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -2,7 +2,7 @@
 // refused, so that nothing is ignored.
 #pragma once
 
-#include "demos/text/shard.h"
+#include "demos/base/text/shard.h"
 
 #include <map>
 #include <optional>

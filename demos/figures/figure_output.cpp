@@ -1,7 +1,7 @@
 #include "demos/figures/figure_output.h"
 
+#include "demos/base/platform/output_file.h"
 #include "demos/figures/plot.h"
-#include "demos/platform/output_file.h"
 #include "renderer/images/png.h"
 
 #include <fmt/format.h>

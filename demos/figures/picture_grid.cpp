@@ -1,5 +1,6 @@
 #include "demos/figures/picture_grid.h"
 
+#include "demos/base/platform/progress.h"
 #include "demos/options/simulation_options.h"
 #include "demos/pictures/camera/framing.h"
 #include "demos/pictures/camera/layout.h"
@@ -7,7 +8,6 @@
 #include "demos/pictures/draw_list.h"
 #include "demos/pictures/overlays/overlay.h"
 #include "demos/pictures/replay/replay.h"
-#include "demos/platform/progress.h"
 
 #include <algorithm>
 #include <sstream>

@@ -1,11 +1,11 @@
 #include "demos/figures/plot.h"
 
-#include "demos/platform/assets.h"
-#include "demos/platform/child_process.h"
-#include "demos/platform/output_file.h"
-#include "demos/text/errors.h"
-#include "demos/text/numbers.h"
-#include "demos/text/palette.h"
+#include "demos/base/platform/assets.h"
+#include "demos/base/platform/child_process.h"
+#include "demos/base/platform/output_file.h"
+#include "demos/base/text/errors.h"
+#include "demos/base/text/numbers.h"
+#include "demos/base/text/palette.h"
 #include "renderer/images/png.h"
 
 #include <fmt/chrono.h>

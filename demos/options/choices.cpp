@@ -1,14 +1,14 @@
 #include "demos/options/choices.h"
 
+#include "demos/base/platform/messages.h"
+#include "demos/base/text/errors.h"
+#include "demos/base/text/json_reader.h"
+#include "demos/base/text/numbers.h"
+#include "demos/base/text/suggest.h"
+#include "demos/base/text/text_hash.h"
 #include "demos/options/simulation_options.h"
-#include "demos/platform/messages.h"
 #include "demos/scenes/motions/measured_motion.h"
 #include "demos/scenes/scene_file.h"
-#include "demos/text/errors.h"
-#include "demos/text/json_reader.h"
-#include "demos/text/numbers.h"
-#include "demos/text/suggest.h"
-#include "demos/text/text_hash.h"
 
 #include <fmt/format.h>
 

@@ -1,9 +1,9 @@
 #include "demos/options/comparison.h"
 
+#include "demos/base/platform/messages.h"
+#include "demos/base/text/errors.h"
+#include "demos/base/text/suggest.h"
 #include "demos/options/simulation_options.h"
-#include "demos/platform/messages.h"
-#include "demos/text/errors.h"
-#include "demos/text/suggest.h"
 
 #include <fmt/format.h>
 

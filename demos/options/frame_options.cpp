@@ -1,7 +1,7 @@
 #include "demos/options/frame_options.h"
 
-#include "demos/text/errors.h"
-#include "demos/text/numbers.h"
+#include "demos/base/text/errors.h"
+#include "demos/base/text/numbers.h"
 
 #include <fmt/format.h>
 

@@ -1,9 +1,9 @@
 // Frame options: which times of a run are drawn, and how.
 #pragma once
 
+#include "demos/base/text/rational.h"
 #include "demos/options/look_choices.h"
 #include "demos/options/option_table.h"
-#include "demos/text/rational.h"
 
 #include <optional>
 #include <span>

@@ -1,7 +1,7 @@
 #include "demos/options/look_choices.h"
 
+#include "demos/base/text/numbers.h"
 #include "demos/scenes/scene_file.h"
-#include "demos/text/numbers.h"
 
 #include <array>
 #include <numbers>

@@ -1,7 +1,7 @@
 #include "demos/options/named_run.h"
 
-#include "demos/platform/assets.h"
-#include "demos/platform/shell_words.h"
+#include "demos/base/platform/assets.h"
+#include "demos/base/platform/shell_words.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 // Settings of one simulation, and the presets.
 #pragma once
 
-#include "demos/text/rational.h"
+#include "demos/base/text/rational.h"
 #include "engine/constraints/contact_order.h"
 #include "engine/constraints/push_factor.h"
 #include "engine/step/small_steps.h"

@@ -1,7 +1,7 @@
 #include "demos/options/simulation_options.h"
 
-#include "demos/text/numbers.h"
-#include "demos/text/suggest.h"
+#include "demos/base/text/numbers.h"
+#include "demos/base/text/suggest.h"
 #include "engine/solvers/solver.h"
 
 #include <fmt/format.h>

@@ -1,8 +1,8 @@
 #include "demos/pages/check_page.h"
 
+#include "demos/base/text/html.h"
 #include "demos/pages/page.h"
 #include "demos/pictures/checks/worst_pictures.h"
-#include "demos/text/html.h"
 
 #include <fmt/format.h>
 

@@ -1,9 +1,9 @@
 #include "demos/pages/page.h"
 
+#include "demos/base/platform/assets.h"
+#include "demos/base/platform/output_file.h"
+#include "demos/base/text/html.h"
 #include "demos/pages/short_numbers.h"
-#include "demos/platform/assets.h"
-#include "demos/platform/output_file.h"
-#include "demos/text/html.h"
 
 #include <fmt/format.h>
 

@@ -1,10 +1,10 @@
 #include "demos/pages/table.h"
 
+#include "demos/base/platform/assets.h"
+#include "demos/base/text/html.h"
+#include "demos/base/text/numbers.h"
 #include "demos/pages/short_numbers.h"
 #include "demos/pictures/live/links.h"
-#include "demos/platform/assets.h"
-#include "demos/text/html.h"
-#include "demos/text/numbers.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #include "demos/pages/verdict_files.h"
 
-#include "demos/text/html.h"
-#include "demos/text/utf8.h"
+#include "demos/base/text/html.h"
+#include "demos/base/text/utf8.h"
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 #include "demos/pictures/draw_list.h"
 
+#include "demos/base/text/errors.h"
 #include "demos/pictures/to_glm.h"
-#include "demos/text/errors.h"
 #include "engine/collision/polyhedron.h"
 
 #include <algorithm>

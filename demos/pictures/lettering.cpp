@@ -1,8 +1,8 @@
 #include "demos/pictures/lettering.h"
 
+#include "demos/base/text/numbers.h"
 #include "demos/options/simulation_options.h"
 #include "demos/pictures/to_glm.h"
-#include "demos/text/numbers.h"
 
 #include <algorithm>
 

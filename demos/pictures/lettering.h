@@ -1,8 +1,8 @@
 // Text on pictures: captions, panel names, legends.
 #pragma once
 
+#include "demos/base/text/palette.h"
 #include "demos/options/choices.h"
-#include "demos/text/palette.h"
 #include "renderer/images/canvas.h"
 #include "renderer/text/font.h"
 

@@ -1,8 +1,8 @@
 #include "demos/pictures/offscreen_renderer.h"
 
+#include "demos/base/platform/assets.h"
+#include "demos/base/text/text_hash.h"
 #include "demos/pictures/to_glm.h"
-#include "demos/platform/assets.h"
-#include "demos/text/text_hash.h"
 #include "renderer/base/renderer_error.h"
 
 #include <optional>

@@ -1,8 +1,8 @@
 #include "demos/pictures/recorded_session.h"
 
+#include "demos/base/platform/messages.h"
+#include "demos/base/text/errors.h"
 #include "demos/pictures/gltf/glb_record.h"
-#include "demos/platform/messages.h"
-#include "demos/text/errors.h"
 
 namespace pushfactor::demos::pictures {
 

@@ -1,7 +1,7 @@
 // Converts Eigen to GLM types and back, here alone: double to float, the same frames and units.
 #pragma once
 
-#include "demos/text/palette.h"
+#include "demos/base/text/palette.h"
 #include "engine/base/math.h"
 
 #include <glm/gtc/quaternion.hpp>

@@ -1,13 +1,13 @@
 // The stability atlas, maps of the outcomes of runs over two of their parameters: atlas.csv, and the maps that are
 // complete. A piece is a cell, so that the full atlas, the quick one and a part share what they have in common.
+#include "demos/base/platform/output_file.h"
+#include "demos/base/platform/version.h"
+#include "demos/base/text/palette.h"
+#include "demos/base/text/suggest.h"
 #include "demos/figures/plot.h"
 #include "demos/pages/short_numbers.h"
-#include "demos/platform/output_file.h"
-#include "demos/platform/version.h"
 #include "demos/reports/atlas/atlas.h"
 #include "demos/runs/summary.h"
-#include "demos/text/palette.h"
-#include "demos/text/suggest.h"
 
 #include <fmt/format.h>
 

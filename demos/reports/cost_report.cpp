@@ -1,14 +1,14 @@
 // Work and time per step of each scene, and the savings from absent parts: cost.csv, side_by_side.csv, plots, and
 // files of the scenes with everything and of the common worlds.
+#include "demos/base/platform/output_file.h"
+#include "demos/base/platform/plain_name.h"
+#include "demos/base/text/numbers.h"
+#include "demos/base/text/suggest.h"
 #include "demos/figures/plot.h"
-#include "demos/platform/output_file.h"
-#include "demos/platform/plain_name.h"
 #include "demos/reports/cost/cost.h"
 #include "demos/reports/study.h"
 #include "demos/scenes/catalogue.h"
 #include "demos/scenes/scene_file.h"
-#include "demos/text/numbers.h"
-#include "demos/text/suggest.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

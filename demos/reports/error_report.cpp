@@ -1,11 +1,11 @@
 // Errors of methods against their work: error.csv (whole runs), frozen.csv (systems of one moment), consistency.csv
 // (scenes against themselves at smaller steps), and their plots.
-#include "demos/platform/output_file.h"
-#include "demos/platform/plain_name.h"
+#include "demos/base/platform/output_file.h"
+#include "demos/base/platform/plain_name.h"
+#include "demos/base/text/errors.h"
+#include "demos/base/text/suggest.h"
 #include "demos/reports/error/error.h"
 #include "demos/reports/error/frozen.h"
-#include "demos/text/errors.h"
-#include "demos/text/suggest.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,7 +1,7 @@
 // Measured motion beside computed motion, each number with the noise of its measurement: tosses of a cube, throws
 // of dice, packings, and motions with friction whose result is known in closed form.
+#include "demos/base/text/suggest.h"
 #include "demos/reports/reality/sections.h"
-#include "demos/text/suggest.h"
 
 #include <fmt/format.h>
 

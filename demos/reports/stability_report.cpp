@@ -1,14 +1,14 @@
 // The report on the stress list: stability.csv (one line per case, preset and check), thumbnails, the scenes that
 // are not in the catalogue, and the summary and last state of each run.
+#include "demos/base/text/errors.h"
+#include "demos/base/text/numbers.h"
+#include "demos/base/text/suggest.h"
 #include "demos/figures/figure_output.h"
 #include "demos/pictures/camera/framing.h"
 #include "demos/pictures/camera/layout.h"
 #include "demos/pictures/draw_list.h"
 #include "demos/reports/stability/trial.h"
 #include "demos/reports/study.h"
-#include "demos/text/errors.h"
-#include "demos/text/numbers.h"
-#include "demos/text/suggest.h"
 #include "renderer/base/renderer_error.h"
 
 #include <fmt/format.h>

@@ -1,10 +1,10 @@
 #include "demos/reports/study.h"
 
+#include "demos/base/platform/output_file.h"
+#include "demos/base/platform/plain_name.h"
+#include "demos/base/platform/processors.h"
+#include "demos/base/platform/version.h"
 #include "demos/pictures/replay/replay.h"
-#include "demos/platform/output_file.h"
-#include "demos/platform/plain_name.h"
-#include "demos/platform/processors.h"
-#include "demos/platform/version.h"
 #include "demos/scenes/scene_file.h"
 
 #include <fmt/format.h>

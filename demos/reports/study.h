@@ -1,15 +1,15 @@
 // Studies: many runs, compared or judged, as tables and plots on one page. The common part of all reports.
 #pragma once
 
+#include "demos/base/platform/progress.h"
+#include "demos/base/text/json.h"
+#include "demos/base/text/shard.h"
+#include "demos/base/text/text_hash.h"
 #include "demos/options/named_run.h"
 #include "demos/pages/page.h"
 #include "demos/pages/table.h"
 #include "demos/pages/verdict_files.h"
-#include "demos/platform/progress.h"
 #include "demos/runs/session.h"
-#include "demos/text/json.h"
-#include "demos/text/shard.h"
-#include "demos/text/text_hash.h"
 
 #include <atomic>
 #include <filesystem>

@@ -1,11 +1,11 @@
 // Measurements of a whole run, collected step by step: the numbers of the summary.
 #pragma once
 
+#include "demos/base/text/median.h"
 #include "demos/runs/measured_errors.h"
 #include "demos/runs/obstacles.h"
 #include "demos/runs/simulation.h"
 #include "demos/runs/stretch.h"
-#include "demos/text/median.h"
 
 #include <deque>
 #include <map>

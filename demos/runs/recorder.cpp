@@ -1,11 +1,11 @@
 #include "demos/runs/recorder.h"
 
-#include "demos/platform/output_file.h"
-#include "demos/platform/version.h"
+#include "demos/base/platform/output_file.h"
+#include "demos/base/platform/version.h"
+#include "demos/base/text/errors.h"
+#include "demos/base/text/json.h"
 #include "demos/runs/summary.h"
 #include "demos/scenes/scene_file.h"
-#include "demos/text/errors.h"
-#include "demos/text/json.h"
 
 #include <fmt/format.h>
 

@@ -1,9 +1,9 @@
 #include "demos/runs/records.h"
 
+#include "demos/base/text/errors.h"
 #include "demos/runs/measured_errors.h"
 #include "demos/runs/trajectory.h"
 #include "demos/scenes/motions/pose_reader.h"
-#include "demos/text/errors.h"
 
 #include <fmt/format.h>
 

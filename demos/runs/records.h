@@ -1,7 +1,7 @@
 // Files that grow with a run, and those that are CSV, with units in the column names.
 #pragma once
 
-#include "demos/platform/output_file.h"
+#include "demos/base/platform/output_file.h"
 #include "demos/runs/simulation.h"
 
 #include <functional>

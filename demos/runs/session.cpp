@@ -1,6 +1,6 @@
 #include "demos/runs/session.h"
 
-#include "demos/platform/processors.h"
+#include "demos/base/platform/processors.h"
 
 namespace pushfactor::demos {
 

@@ -1,12 +1,12 @@
 // Runs of a scene side by side, stepped once: every instant is shown to all that want it.
 #pragma once
 
+#include "demos/base/platform/progress.h"
+#include "demos/base/text/errors.h"
+#include "demos/base/text/shard.h"
 #include "demos/options/comparison.h"
 #include "demos/options/frame_options.h"
-#include "demos/platform/progress.h"
 #include "demos/runs/simulation.h"
-#include "demos/text/errors.h"
-#include "demos/text/shard.h"
 
 #include <deque>
 #include <functional>

@@ -1,7 +1,7 @@
 #include "demos/runs/simulation.h"
 
+#include "demos/base/text/errors.h"
 #include "demos/options/choices.h"
-#include "demos/text/errors.h"
 
 #include <algorithm>
 #include <array>

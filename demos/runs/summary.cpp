@@ -1,9 +1,9 @@
 #include "demos/runs/summary.h"
 
+#include "demos/base/text/json.h"
 #include "demos/options/named_run.h"
 #include "demos/options/simulation_options.h"
 #include "demos/runs/session.h"
-#include "demos/text/json.h"
 #include "engine/bodies/diagnostics.h"
 #include "engine/constraints/contact_constraints.h"
 

@@ -1,6 +1,6 @@
 #include "demos/runs/trajectory.h"
 
-#include "demos/text/numbers.h"
+#include "demos/base/text/numbers.h"
 
 #include <fmt/format.h>
 

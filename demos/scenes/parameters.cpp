@@ -1,6 +1,6 @@
 #include "demos/scenes/parameters.h"
 
-#include "demos/text/numbers.h"
+#include "demos/base/text/numbers.h"
 
 #include <cmath>
 #include <stdexcept>

@@ -1,10 +1,10 @@
 #include "demos/scenes/scene_file.h"
 
+#include "demos/base/text/json_reader.h"
+#include "demos/base/text/palette.h"
+#include "demos/base/text/suggest.h"
+#include "demos/base/text/utf8.h"
 #include "demos/scenes/reading/parts.h"
-#include "demos/text/json_reader.h"
-#include "demos/text/palette.h"
-#include "demos/text/suggest.h"
-#include "demos/text/utf8.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,7 +1,7 @@
 // A browser without a window, driven over the DevTools protocol through a pipe.
 #pragma once
 
-#include "demos/text/json.h"
+#include "demos/base/text/json.h"
 #include "renderer/images/image.h"
 #include "tests/catch.h"
 #include "tests/demos/program.h"

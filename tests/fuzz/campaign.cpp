@@ -1,6 +1,6 @@
 #include "tests/fuzz/campaign.h"
 
-#include "demos/text/numbers.h"
+#include "demos/base/text/numbers.h"
 #include "tests/fuzz/random_scene.h"
 #include "tests/fuzz/shrink.h"
 

@@ -1,11 +1,11 @@
 #include "tests/fuzz/family_page.h"
 
+#include "demos/base/platform/output_file.h"
 #include "demos/pages/page.h"
 #include "demos/pictures/camera/framing.h"
 #include "demos/pictures/camera/layout.h"
 #include "demos/pictures/camera/survey.h"
 #include "demos/pictures/draw_list.h"
-#include "demos/platform/output_file.h"
 #include "demos/runs/measurements.h"
 #include "demos/runs/simulation.h"
 #include "renderer/base/renderer_error.h"

@@ -1,9 +1,9 @@
 // libFuzzer target: any bytes as a scene file are refused in one line, or are a scene that survives writing and
 // reading, and that can be stepped.
+#include "demos/base/text/errors.h"
 #include "demos/options/choices.h"
 #include "demos/runs/simulation.h"
 #include "demos/scenes/scene_file.h"
-#include "demos/text/errors.h"
 #include "engine/base/invalid_input.h"
 
 #include <sys/mman.h>

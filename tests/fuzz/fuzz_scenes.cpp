@@ -1,10 +1,10 @@
 // Judges random scenes, members of the families, what sleeps in them, pairs that pass or touch, falls of thin
 // bodies, or given scene files. Exit status: 0 all hold, 1 interrupted, 2 wrong usage, 3 some fail, 4 a failure
 // could not be written.
-#include "demos/platform/output_file.h"
-#include "demos/platform/progress.h"
+#include "demos/base/platform/output_file.h"
+#include "demos/base/platform/progress.h"
+#include "demos/base/text/errors.h"
 #include "demos/scenes/scene_file.h"
-#include "demos/text/errors.h"
 #include "tests/fuzz/campaign.h"
 #include "tests/fuzz/family_campaign.h"
 #include "tests/fuzz/family_page.h"

@@ -1,7 +1,7 @@
 #include "tests/fuzz/judge.h"
 
+#include "demos/base/text/errors.h"
 #include "demos/runs/simulation.h"
-#include "demos/text/errors.h"
 #include "engine/impacts/impacts.h"
 #include "tests/fuzz/random_scene.h"
 #include "tests/fuzz/step_claims.h"

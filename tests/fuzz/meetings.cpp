@@ -1,7 +1,7 @@
 #include "tests/fuzz/meetings.h"
 
+#include "demos/base/text/numbers.h"
 #include "demos/runs/scene.h"
-#include "demos/text/numbers.h"
 #include "engine/base/invalid_input.h"
 #include "tests/fuzz/random_scene.h"
 #include "tests/random.h"

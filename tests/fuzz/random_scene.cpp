@@ -1,7 +1,7 @@
 #include "tests/fuzz/random_scene.h"
 
+#include "demos/base/text/numbers.h"
 #include "demos/options/simulation_options.h"
-#include "demos/text/numbers.h"
 #include "engine/base/invalid_input.h"
 #include "tests/random.h"
 

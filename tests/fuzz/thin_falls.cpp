@@ -1,7 +1,7 @@
 #include "tests/fuzz/thin_falls.h"
 
+#include "demos/base/text/numbers.h"
 #include "demos/runs/simulation.h"
-#include "demos/text/numbers.h"
 #include "tests/fuzz/random_scene.h"
 #include "tests/fuzz/solid_distance.h"
 #include "tests/random.h"

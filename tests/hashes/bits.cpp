@@ -4,8 +4,8 @@
 //   bits --check tests/hashes/lines.txt    prints the lines that are others than those in a file; then exits with 1
 //   --short                              stops runs after one second
 //   WORD                                 only lines that contain it, such as a preset or a scene
+#include "demos/base/platform/assets.h"
 #include "demos/options/named_run.h"
-#include "demos/platform/assets.h"
 #include "demos/runs/simulation.h"
 #include "demos/scenes/scene_file.h"
 #include "engine/bodies/diagnostics.h"

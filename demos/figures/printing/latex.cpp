@@ -1,6 +1,6 @@
 #include "demos/figures/printing/latex.h"
 
-#include "demos/platform/version.h"
+#include "demos/base/platform/version.h"
 
 #include <fmt/format.h>
 

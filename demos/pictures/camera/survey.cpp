@@ -1,8 +1,8 @@
 #include "demos/pictures/camera/survey.h"
 
-#include "demos/platform/progress.h"
-#include "demos/text/errors.h"
-#include "demos/text/median.h"
+#include "demos/base/platform/progress.h"
+#include "demos/base/text/errors.h"
+#include "demos/base/text/median.h"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 #include "demos/pictures/checks/comparison.h"
 
-#include "demos/platform/output_file.h"
-#include "demos/text/errors.h"
-#include "demos/text/numbers.h"
+#include "demos/base/platform/output_file.h"
+#include "demos/base/text/errors.h"
+#include "demos/base/text/numbers.h"
 #include "renderer/base/renderer_error.h"
 #include "renderer/images/flip.h"
 #include "renderer/images/png.h"

@@ -1,8 +1,8 @@
 #include "demos/pictures/checks/expectation.h"
 
-#include "demos/platform/version.h"
-#include "demos/text/errors.h"
-#include "demos/text/json_reader.h"
+#include "demos/base/platform/version.h"
+#include "demos/base/text/errors.h"
+#include "demos/base/text/json_reader.h"
 
 #include <fmt/format.h>
 

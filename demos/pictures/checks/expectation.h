@@ -1,9 +1,9 @@
 // A folder of `render` as an expectation: how its pictures were made, and what its summary says.
 #pragma once
 
+#include "demos/base/text/json.h"
 #include "demos/pictures/checks/verdict.h"
 #include "demos/runs/session.h"
-#include "demos/text/json.h"
 
 #include <filesystem>
 #include <optional>

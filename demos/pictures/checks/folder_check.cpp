@@ -1,12 +1,12 @@
 #include "demos/pictures/checks/folder_check.h"
 
+#include "demos/base/platform/output_file.h"
+#include "demos/base/platform/progress.h"
+#include "demos/base/text/errors.h"
 #include "demos/pictures/checks/trajectory.h"
 #include "demos/pictures/checks/worst_pictures.h"
 #include "demos/pictures/film/film.h"
-#include "demos/platform/output_file.h"
-#include "demos/platform/progress.h"
 #include "demos/runs/recorder.h"
-#include "demos/text/errors.h"
 #include "renderer/base/renderer_error.h"
 #include "renderer/images/read_png.h"
 

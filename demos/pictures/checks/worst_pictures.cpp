@@ -1,7 +1,7 @@
 #include "demos/pictures/checks/worst_pictures.h"
 
-#include "demos/platform/output_file.h"
-#include "demos/text/text_hash.h"
+#include "demos/base/platform/output_file.h"
+#include "demos/base/text/text_hash.h"
 
 #include <algorithm>
 #include <array>

@@ -1,9 +1,9 @@
 #include "demos/pictures/film/film.h"
 
+#include "demos/base/platform/channel.h"
+#include "demos/base/platform/progress.h"
+#include "demos/base/text/errors.h"
 #include "demos/pictures/draw_list.h"
-#include "demos/platform/channel.h"
-#include "demos/platform/progress.h"
-#include "demos/text/errors.h"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 // Work on frames by background threads, in the order of the frames where it matters.
 #pragma once
 
+#include "demos/base/platform/channel.h"
 #include "demos/pictures/film/stage_times.h"
-#include "demos/platform/channel.h"
 #include "renderer/images/image.h"
 
 #include <condition_variable>

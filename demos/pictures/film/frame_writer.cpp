@@ -1,6 +1,6 @@
 #include "demos/pictures/film/frame_writer.h"
 
-#include "demos/platform/output_file.h"
+#include "demos/base/platform/output_file.h"
 #include "renderer/images/png.h"
 
 #include <cstdint>

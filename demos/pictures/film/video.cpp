@@ -1,6 +1,6 @@
 #include "demos/pictures/film/video.h"
 
-#include "demos/text/errors.h"
+#include "demos/base/text/errors.h"
 
 #include <fmt/format.h>
 

@@ -1,9 +1,9 @@
 // Videos of frames by the program ffmpeg, which is needed only when a video is requested.
 #pragma once
 
-#include "demos/platform/child_process.h"
-#include "demos/platform/output_file.h"
-#include "demos/text/rational.h"
+#include "demos/base/platform/child_process.h"
+#include "demos/base/platform/output_file.h"
+#include "demos/base/text/rational.h"
 #include "renderer/images/image.h"
 
 #include <filesystem>

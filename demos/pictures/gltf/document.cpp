@@ -1,7 +1,7 @@
 #include "demos/pictures/gltf/document.h"
 
-#include "demos/platform/version.h"
-#include "demos/text/errors.h"
+#include "demos/base/platform/version.h"
+#include "demos/base/text/errors.h"
 
 #include <fmt/format.h>
 

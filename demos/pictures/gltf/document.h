@@ -1,10 +1,10 @@
 // A glTF 2.0 document and its binary form (.glb). Specification: Khronos, "glTF 2.0", 2021; sections below are its.
 #pragma once
 
+#include "demos/base/platform/output_file.h"
+#include "demos/base/text/json.h"
 #include "demos/pictures/gltf/geometry.h"
 #include "demos/pictures/gltf/tracks.h"
-#include "demos/platform/output_file.h"
-#include "demos/text/json.h"
 
 #include <array>
 #include <functional>

@@ -1,11 +1,11 @@
 #include "demos/pictures/gltf/glb_record.h"
 
+#include "demos/base/platform/output_file.h"
+#include "demos/base/text/errors.h"
 #include "demos/pictures/draw_list.h"
 #include "demos/pictures/gltf/stage.h"
 #include "demos/pictures/lettering.h"
 #include "demos/pictures/overlays/overlay.h"
-#include "demos/platform/output_file.h"
-#include "demos/text/errors.h"
 
 #include <fmt/format.h>
 

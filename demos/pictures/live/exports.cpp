@@ -1,9 +1,9 @@
 // What the worker of the page calls (assets/live/worker.js). Texts go in and out as UTF-8; every answer is JSON
 // that lives until the next call, with "refused" or "failed" instead of a result if something is wrong.
+#include "demos/base/text/errors.h"
 #include "demos/pictures/live/live_run.h"
 #include "demos/pictures/live/microscope.h"
 #include "demos/pictures/replay/stage.h"
-#include "demos/text/errors.h"
 #include "engine/base/invalid_input.h"
 
 #include <emscripten/emscripten.h>

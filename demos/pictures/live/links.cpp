@@ -1,14 +1,14 @@
 #include "demos/pictures/live/links.h"
 
+#include "demos/base/platform/assets.h"
+#include "demos/base/platform/shell_words.h"
+#include "demos/base/text/html.h"
+#include "demos/base/text/rational.h"
 #include "demos/options/frame_options.h"
 #include "demos/options/named_run.h"
 #include "demos/options/simulation_options.h"
 #include "demos/pictures/live/live_run.h"
-#include "demos/platform/assets.h"
-#include "demos/platform/shell_words.h"
 #include "demos/scenes/catalogue.h"
-#include "demos/text/html.h"
-#include "demos/text/rational.h"
 
 #include <fmt/format.h>
 

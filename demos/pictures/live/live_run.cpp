@@ -1,11 +1,11 @@
 #include "demos/pictures/live/live_run.h"
 
+#include "demos/base/platform/shell_words.h"
+#include "demos/base/platform/version.h"
 #include "demos/options/simulation_options.h"
 #include "demos/pictures/camera/framing.h"
 #include "demos/pictures/overlays/acting.h"
 #include "demos/pictures/replay/stage.h"
-#include "demos/platform/shell_words.h"
-#include "demos/platform/version.h"
 #include "demos/scenes/catalogue.h"
 #include "engine/bodies/diagnostics.h"
 

@@ -2,10 +2,10 @@
 // and as JSON. The browser's side is in assets/live.
 #pragma once
 
+#include "demos/base/text/json.h"
 #include "demos/options/comparison.h"
 #include "demos/options/named_run.h"
 #include "demos/runs/simulation.h"
-#include "demos/text/json.h"
 
 #include <string>
 #include <string_view>

@@ -1,8 +1,8 @@
 #include "demos/pictures/live/microscope.h"
 
+#include "demos/base/text/errors.h"
 #include "demos/options/simulation_options.h"
 #include "demos/runs/records.h"
-#include "demos/text/errors.h"
 #include "engine/solvers/pgs.h"
 
 #include <fmt/format.h>

@@ -2,8 +2,8 @@
 // Gauss-Seidel (7.1.1) makes of lambda.
 #pragma once
 
+#include "demos/base/text/json.h"
 #include "demos/runs/simulation.h"
-#include "demos/text/json.h"
 
 namespace pushfactor::demos::pictures::live {
 

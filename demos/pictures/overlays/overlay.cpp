@@ -1,8 +1,8 @@
 #include "demos/pictures/overlays/overlay.h"
 
+#include "demos/base/text/errors.h"
 #include "demos/pictures/overlays/acting.h"
 #include "demos/pictures/to_glm.h"
-#include "demos/text/errors.h"
 
 #include <map>
 

@@ -2,9 +2,9 @@
 // and of bodies at rest, and lines between bodies that do not touch.
 #pragma once
 
+#include "demos/base/text/palette.h"
 #include "demos/options/look_choices.h"
 #include "demos/runs/scene.h"
-#include "demos/text/palette.h"
 #include "renderer/picture/picture.h"
 
 #include <string>

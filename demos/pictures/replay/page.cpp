@@ -1,8 +1,8 @@
 #include "demos/pictures/replay/page.h"
 
+#include "demos/base/platform/assets.h"
+#include "demos/base/text/errors.h"
 #include "demos/pictures/replay/stage.h"
-#include "demos/platform/assets.h"
-#include "demos/text/errors.h"
 
 #include <fmt/format.h>
 #include <libdeflate.h>

@@ -1,7 +1,7 @@
 // The page around the data of a replay: style, viewer and shaders from the assets, all inline.
 #pragma once
 
-#include "demos/text/json.h"
+#include "demos/base/text/json.h"
 
 #include <string>
 #include <string_view>

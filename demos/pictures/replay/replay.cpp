@@ -1,12 +1,12 @@
 #include "demos/pictures/replay/replay.h"
 
+#include "demos/base/platform/version.h"
+#include "demos/base/text/errors.h"
+#include "demos/base/text/median.h"
 #include "demos/pictures/draw_list.h"
 #include "demos/pictures/lettering.h"
 #include "demos/pictures/replay/stage.h"
-#include "demos/platform/version.h"
 #include "demos/runs/records.h"
-#include "demos/text/errors.h"
-#include "demos/text/median.h"
 #include "engine/bodies/diagnostics.h"
 
 #include <fmt/format.h>

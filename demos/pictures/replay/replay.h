@@ -1,11 +1,11 @@
 // A run, or several side by side, as one HTML file that plays in a browser.
 #pragma once
 
+#include "demos/base/platform/output_file.h"
 #include "demos/pictures/camera/framing.h"
 #include "demos/pictures/camera/survey.h"
 #include "demos/pictures/replay/bytes.h"
 #include "demos/pictures/replay/page.h"
-#include "demos/platform/output_file.h"
 #include "demos/runs/session.h"
 
 #include <array>

@@ -1,10 +1,10 @@
 // What does not change in a replay: bodies, links, planes, camera and meshes of a run.
 #pragma once
 
+#include "demos/base/text/json.h"
 #include "demos/options/comparison.h"
 #include "demos/pictures/camera/framing.h"
 #include "demos/runs/simulation.h"
-#include "demos/text/json.h"
 
 #include <span>
 #include <string>

@@ -1,11 +1,11 @@
 // The list of maps and their axes, and maps that people ask for.
+#include "demos/base/text/errors.h"
+#include "demos/base/text/numbers.h"
+#include "demos/base/text/rational.h"
+#include "demos/base/text/suggest.h"
 #include "demos/options/simulation_options.h"
 #include "demos/reports/atlas/atlas.h"
 #include "demos/runs/summary.h"
-#include "demos/text/errors.h"
-#include "demos/text/numbers.h"
-#include "demos/text/rational.h"
-#include "demos/text/suggest.h"
 
 #include <fmt/format.h>
 

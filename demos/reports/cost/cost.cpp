@@ -1,11 +1,11 @@
 #include "demos/reports/cost/cost.h"
 
+#include "demos/base/text/median.h"
 #include "demos/runs/checkpoint.h"
 #include "demos/runs/session.h"
 #include "demos/scenes/catalogue.h"
 #include "demos/scenes/named/side_by_side.h"
 #include "demos/scenes/random.h"
-#include "demos/text/median.h"
 #include "engine/collision/broad_phase.h"
 #include "engine/forces/poke.h"
 

@@ -2,9 +2,9 @@
 // every part added, and scenes side by side.
 #pragma once
 
+#include "demos/base/platform/processors.h"
+#include "demos/base/platform/progress.h"
 #include "demos/options/named_run.h"
-#include "demos/platform/processors.h"
-#include "demos/platform/progress.h"
 #include "demos/runs/scene.h"
 #include "demos/runs/step_division.h"
 

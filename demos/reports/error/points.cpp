@@ -1,9 +1,9 @@
-#include "demos/platform/processors.h"
+#include "demos/base/platform/processors.h"
+#include "demos/base/text/csv.h"
+#include "demos/base/text/numbers.h"
 #include "demos/reports/error/error.h"
 #include "demos/runs/measurements.h"
 #include "demos/runs/session.h"
-#include "demos/text/csv.h"
-#include "demos/text/numbers.h"
 
 #include <fmt/format.h>
 

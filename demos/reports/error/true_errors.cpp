@@ -1,8 +1,8 @@
 #include "demos/reports/error/true_errors.h"
 
+#include "demos/base/text/median.h"
 #include "demos/scenes/exact_motions/free_rotation.h"
 #include "demos/scenes/exact_motions/hanging_chain.h"
-#include "demos/text/median.h"
 #include "engine/solvers/solver.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "demos/reports/error/work_plot.h"
 
+#include "demos/base/text/palette.h"
 #include "demos/figures/plot.h"
-#include "demos/text/palette.h"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>

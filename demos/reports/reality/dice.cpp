@@ -1,9 +1,9 @@
 // Cuboid dice with a square cross-section: how often one of the two square faces ends up on top.
+#include "demos/base/platform/assets.h"
+#include "demos/base/text/errors.h"
 #include "demos/figures/plot.h"
-#include "demos/platform/assets.h"
 #include "demos/reports/reality/sections.h"
 #include "demos/scenes/random.h"
-#include "demos/text/errors.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

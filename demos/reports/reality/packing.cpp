@@ -1,10 +1,10 @@
 // Packings of spheres and regular solids in a box: poured, and then shaken.
-#include "demos/platform/assets.h"
+#include "demos/base/platform/assets.h"
+#include "demos/base/text/csv.h"
+#include "demos/base/text/numbers.h"
 #include "demos/reports/reality/sections.h"
 #include "demos/scenes/named/platonic.h"
 #include "demos/scenes/random.h"
-#include "demos/text/csv.h"
-#include "demos/text/numbers.h"
 #include "engine/collision/polyhedron.h"
 
 #include <fmt/format.h>

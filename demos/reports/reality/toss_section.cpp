@@ -1,14 +1,14 @@
 // The tosses as this engine computes them: the law of contact that fits every other toss, and how far it goes on
 // the others; beside other engines where their results are given.
+#include "demos/base/platform/assets.h"
+#include "demos/base/platform/output_file.h"
+#include "demos/base/text/csv.h"
+#include "demos/base/text/median.h"
+#include "demos/base/text/numbers.h"
 #include "demos/figures/plot.h"
-#include "demos/platform/assets.h"
-#include "demos/platform/output_file.h"
 #include "demos/reports/reality/sections.h"
 #include "demos/scenes/motions/measured_motion.h"
 #include "demos/scenes/scene_file.h"
-#include "demos/text/csv.h"
-#include "demos/text/median.h"
-#include "demos/text/numbers.h"
 
 #include <fmt/format.h>
 

@@ -1,9 +1,9 @@
 #include "demos/reports/reality/tosses.h"
 
-#include "demos/platform/output_file.h"
+#include "demos/base/platform/output_file.h"
+#include "demos/base/text/errors.h"
+#include "demos/base/text/median.h"
 #include "demos/scenes/random.h"
-#include "demos/text/errors.h"
-#include "demos/text/median.h"
 
 #include <fmt/format.h>
 #include <libdeflate.h>

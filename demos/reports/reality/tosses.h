@@ -2,7 +2,7 @@
 // how far computed ones are from them, and the law of contact with which an engine follows them best.
 #pragma once
 
-#include "demos/platform/progress.h"
+#include "demos/base/platform/progress.h"
 #include "engine/base/math.h"
 
 #include <array>

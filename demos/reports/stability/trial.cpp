@@ -1,13 +1,13 @@
 #include "demos/reports/stability/trial.h"
 
-#include "demos/platform/child_process.h"
-#include "demos/platform/output_file.h"
+#include "demos/base/platform/child_process.h"
+#include "demos/base/platform/output_file.h"
+#include "demos/base/text/csv.h"
+#include "demos/base/text/errors.h"
+#include "demos/base/text/json_reader.h"
+#include "demos/base/text/numbers.h"
 #include "demos/reports/study.h"
 #include "demos/scenes/scene_file.h"
-#include "demos/text/csv.h"
-#include "demos/text/errors.h"
-#include "demos/text/json_reader.h"
-#include "demos/text/numbers.h"
 
 #include <fmt/format.h>
 

@@ -2,9 +2,9 @@
 // verdicts; and the measures by which it is judged, computed from the output files of the run.
 #pragma once
 
-#include "demos/platform/progress.h"
+#include "demos/base/platform/progress.h"
+#include "demos/base/text/json.h"
 #include "demos/reports/stability/cases.h"
-#include "demos/text/json.h"
 
 #include <algorithm>
 #include <filesystem>

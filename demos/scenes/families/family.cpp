@@ -1,8 +1,8 @@
 #include "demos/scenes/families/family.h"
 
+#include "demos/base/text/numbers.h"
+#include "demos/base/text/text_hash.h"
 #include "demos/scenes/families/pieces.h"
-#include "demos/text/numbers.h"
-#include "demos/text/text_hash.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #include "demos/scenes/motions/pose_reader.h"
 
-#include "demos/text/errors.h"
-#include "demos/text/numbers.h"
+#include "demos/base/text/errors.h"
+#include "demos/base/text/numbers.h"
 
 #include <fmt/format.h>
 

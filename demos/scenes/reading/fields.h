@@ -2,7 +2,7 @@
 // its keys: with that it is read, written, and its unknown keys are refused.
 #pragma once
 
-#include "demos/text/json_reader.h"
+#include "demos/base/text/json_reader.h"
 #include "engine/constraints/joint_constraints.h"
 
 #include <algorithm>

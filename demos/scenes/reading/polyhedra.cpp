@@ -1,9 +1,9 @@
 // The polyhedra of a scene file: points, or the vertices of a Wavefront OBJ file.
+#include "demos/base/text/errors.h"
+#include "demos/base/text/input.h"
+#include "demos/base/text/numbers.h"
 #include "demos/scenes/convex_hull.h"
 #include "demos/scenes/reading/parts.h"
-#include "demos/text/errors.h"
-#include "demos/text/input.h"
-#include "demos/text/numbers.h"
 
 #include <fmt/format.h>
 

@@ -1,13 +1,13 @@
 // Bad values in every field of a scene file and every option (not a number, infinite, zero, negative): refused with
 // the field's name, before anything runs.
+#include "demos/base/text/errors.h"
+#include "demos/base/text/json.h"
 #include "demos/options/choices.h"
 #include "demos/options/frame_options.h"
 #include "demos/options/simulation_options.h"
 #include "demos/runs/scene.h"
 #include "demos/scenes/catalogue.h"
 #include "demos/scenes/scene_file.h"
-#include "demos/text/errors.h"
-#include "demos/text/json.h"
 #include "engine/base/invalid_input.h"
 #include "tests/catch.h"
 #include "tests/demos/program.h"

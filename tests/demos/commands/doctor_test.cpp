@@ -1,7 +1,7 @@
 // `pushfactor doctor`: what it finds, and its exit status where nothing can be drawn.
+#include "demos/base/platform/processors.h"
+#include "demos/base/text/json.h"
 #include "demos/pictures/offscreen_renderer.h"
-#include "demos/platform/processors.h"
-#include "demos/text/json.h"
 #include "renderer/images/read_png.h"
 #include "tests/catch.h"
 #include "tests/demos/program.h"

@@ -1,10 +1,10 @@
 // Every option of every command in every combination of two: it is read, or it is refused. Nothing is ignored, and
 // nothing runs.
+#include "demos/base/text/errors.h"
+#include "demos/base/text/numbers.h"
 #include "demos/commands/command_line.h"
 #include "demos/scenes/catalogue.h"
 #include "demos/scenes/families/family.h"
-#include "demos/text/errors.h"
-#include "demos/text/numbers.h"
 #include "tests/catch.h"
 #include "tests/demos/program.h"
 

@@ -1,5 +1,5 @@
 // The files of the program: their columns, that equal runs give equal bytes, and that nothing is left half-written.
-#include "demos/text/json.h"
+#include "demos/base/text/json.h"
 #include "renderer/images/read_png.h"
 #include "tests/catch.h"
 #include "tests/demos/program.h"

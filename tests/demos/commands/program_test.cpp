@@ -1,7 +1,7 @@
 // The program as seen by a user: its answers, and its messages for bad input.
 #include "tests/demos/program.h"
 
-#include "demos/text/json.h"
+#include "demos/base/text/json.h"
 #include "tests/catch.h"
 #include "tests/skip.h"
 

@@ -1,5 +1,5 @@
 // What render adds to a picture: panels, overlays, captions, videos.
-#include "demos/text/json.h"
+#include "demos/base/text/json.h"
 #include "renderer/images/difference.h"
 #include "renderer/images/read_png.h"
 #include "tests/catch.h"

@@ -1,8 +1,8 @@
 // Figures for print: sizes on paper, letters, LaTeX, and colours that stay apart in grey.
+#include "demos/base/text/numbers.h"
+#include "demos/base/text/palette.h"
 #include "demos/figures/printing/latex.h"
 #include "demos/figures/printing/sheet.h"
-#include "demos/text/numbers.h"
-#include "demos/text/palette.h"
 #include "tests/catch.h"
 #include "tests/demos/program.h"
 #include "tests/skip.h"

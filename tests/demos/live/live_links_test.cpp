@@ -1,6 +1,6 @@
 // Links from commands on pages to the page in a browser.
+#include "demos/base/platform/shell_words.h"
 #include "demos/pictures/live/links.h"
-#include "demos/platform/shell_words.h"
 #include "tests/catch.h"
 
 using namespace pushfactor::demos;

@@ -1,8 +1,8 @@
 // Runs that the page in a browser steps, tried without a browser.
 #include "demos/pictures/live/live_run.h"
 
+#include "demos/base/text/errors.h"
 #include "demos/scenes/catalogue.h"
-#include "demos/text/errors.h"
 #include "engine/bodies/diagnostics.h"
 #include "tests/catch.h"
 #include "tests/demos/program.h"

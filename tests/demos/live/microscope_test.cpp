@@ -1,8 +1,8 @@
 // The rows of a step as the page in a browser shows them.
 #include "demos/pictures/live/microscope.h"
 
+#include "demos/base/text/errors.h"
 #include "demos/options/named_run.h"
-#include "demos/text/errors.h"
 #include "tests/catch.h"
 #include "tests/random.h"
 

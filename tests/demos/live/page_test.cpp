@@ -1,7 +1,7 @@
 // The page that runs the program in a browser. Skipped, with the reason, where there is no Chromium or no such
 // page.
+#include "demos/base/platform/assets.h"
 #include "demos/options/named_run.h"
-#include "demos/platform/assets.h"
 #include "tests/catch.h"
 #include "tests/demos/browser.h"
 #include "tests/renderer/image_difference.h"

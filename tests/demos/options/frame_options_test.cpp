@@ -1,6 +1,6 @@
 #include "demos/options/frame_options.h"
 
-#include "demos/text/errors.h"
+#include "demos/base/text/errors.h"
 #include "tests/catch.h"
 
 using namespace pushfactor::demos;

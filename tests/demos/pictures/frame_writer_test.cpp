@@ -1,7 +1,7 @@
 // Frames are written in order, whole, by several threads; the first error ends it.
 #include "demos/pictures/film/frame_writer.h"
 
-#include "demos/text/errors.h"
+#include "demos/base/text/errors.h"
 #include "renderer/base/renderer_error.h"
 #include "renderer/images/png.h"
 #include "tests/catch.h"

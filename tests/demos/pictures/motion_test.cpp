@@ -1,9 +1,9 @@
 // Trails, ghosts and motion blur.
 #include "demos/pictures/film/motion.h"
 
+#include "demos/base/text/errors.h"
 #include "demos/options/choices.h"
 #include "demos/pictures/draw_list.h"
-#include "demos/text/errors.h"
 #include "tests/catch.h"
 
 #include <set>

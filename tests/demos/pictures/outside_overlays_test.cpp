@@ -1,8 +1,8 @@
 // Overlays of what acts from outside, against closed forms: forces and torques, motors, moved bodies, pairs that do
 // not touch.
+#include "demos/base/text/errors.h"
 #include "demos/pictures/overlays/overlay.h"
 #include "demos/runs/simulation.h"
-#include "demos/text/errors.h"
 #include "tests/catch.h"
 #include "tests/scene_fixture.h"
 #include "tests/settings.h"

@@ -1,6 +1,7 @@
 // The overlays against closed forms.
 #include "demos/pictures/overlays/overlay.h"
 
+#include "demos/base/text/errors.h"
 #include "demos/options/choices.h"
 #include "demos/pictures/camera/survey.h"
 #include "demos/pictures/draw_list.h"
@@ -8,7 +9,6 @@
 #include "demos/pictures/overlays/acting.h"
 #include "demos/pictures/to_glm.h"
 #include "demos/runs/simulation.h"
-#include "demos/text/errors.h"
 #include "tests/catch.h"
 #include "tests/settings.h"
 

@@ -1,7 +1,7 @@
 // Videos, with a shell script instead of ffmpeg: tests its input and the handling of its exit.
 #include "demos/pictures/film/video.h"
 
-#include "demos/text/errors.h"
+#include "demos/base/text/errors.h"
 #include "tests/catch.h"
 #include "tests/demos/program.h"
 

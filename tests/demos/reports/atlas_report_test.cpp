@@ -1,6 +1,6 @@
 // The stability atlas command: all files; interrupted and resumed; each command of its table repeated. Its pieces
 // are tested in pieces_test.cpp, maps of one's own in grid_test.cpp.
-#include "demos/text/json.h"
+#include "demos/base/text/json.h"
 #include "tests/catch.h"
 #include "tests/demos/csv.h"
 #include "tests/demos/pages/check_page.h"

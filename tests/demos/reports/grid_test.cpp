@@ -1,6 +1,6 @@
 // Maps of one's own: `report atlas --grid`.
+#include "demos/base/text/json.h"
 #include "demos/reports/atlas/atlas.h"
-#include "demos/text/json.h"
 #include "tests/catch.h"
 #include "tests/demos/csv.h"
 #include "tests/demos/pages/check_page.h"

@@ -1,8 +1,8 @@
 // Reports in shares: whatever the number and order of the shards, and after a kill, merged files are those of one
 // process; what `report merge` refuses and lists.
+#include "demos/base/text/json.h"
+#include "demos/base/text/shard.h"
 #include "demos/reports/study.h"
-#include "demos/text/json.h"
-#include "demos/text/shard.h"
 #include "tests/catch.h"
 #include "tests/demos/csv.h"
 #include "tests/demos/program.h"

@@ -1,8 +1,8 @@
 // The report on measured motion: closed forms, the measured tosses, what symmetry says of dice, and its files.
-#include "demos/platform/assets.h"
+#include "demos/base/platform/assets.h"
+#include "demos/base/text/errors.h"
 #include "demos/reports/reality/sections.h"
 #include "demos/scenes/scene_file.h"
-#include "demos/text/errors.h"
 #include "tests/catch.h"
 #include "tests/demos/csv.h"
 #include "tests/demos/pages/check_page.h"

@@ -1,9 +1,9 @@
 // The scenes of the stability report's chapters on friction, floors, thin bodies and ball joints, and their files
 // in tests/scenes, which build/release/tests/make_expected writes.
+#include "demos/base/text/json.h"
 #include "demos/reports/stability/cases.h"
 #include "demos/runs/simulation.h"
 #include "demos/scenes/scene_file.h"
-#include "demos/text/json.h"
 #include "tests/catch.h"
 #include "tests/demos/program.h"
 #include "tests/demos/reports/stability_files.h"

@@ -1,8 +1,8 @@
 // The errors of the reports: zero for exact results, known for known deviations.
 #include "demos/reports/error/true_errors.h"
 
+#include "demos/base/text/errors.h"
 #include "demos/reports/error/error.h"
-#include "demos/text/errors.h"
 #include "tests/catch.h"
 #include "tests/engine/rows.h"
 

@@ -1,10 +1,10 @@
 // Runs that are saved and resumed, and runs that become non-finite.
 #include "demos/runs/checkpoint.h"
 
+#include "demos/base/text/json.h"
 #include "demos/options/named_run.h"
 #include "demos/runs/simulation.h"
 #include "demos/scenes/scene_file.h"
-#include "demos/text/json.h"
 #include "tests/catch.h"
 #include "tests/demos/program.h"
 

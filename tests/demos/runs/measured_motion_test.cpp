@@ -1,10 +1,10 @@
 // Measured motion beside a scene: it changes nothing, and is compared with what is computed.
 #include "demos/scenes/motions/measured_motion.h"
 
+#include "demos/base/text/json.h"
 #include "demos/options/named_run.h"
 #include "demos/runs/measured_errors.h"
 #include "demos/scenes/scene_file.h"
-#include "demos/text/json.h"
 #include "tests/catch.h"
 #include "tests/demos/csv.h"
 #include "tests/demos/program.h"

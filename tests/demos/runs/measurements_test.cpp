@@ -1,9 +1,9 @@
 // How runs are judged, on scenes whose outcome is known.
 #include "demos/runs/measurements.h"
 
+#include "demos/base/text/errors.h"
 #include "demos/options/named_run.h"
 #include "demos/scenes/named/named_scenes.h"
-#include "demos/text/errors.h"
 #include "tests/catch.h"
 #include "tests/settings.h"
 

@@ -1,6 +1,6 @@
 // Unsolved steps: counted and reported.
+#include "demos/base/text/json.h"
 #include "demos/options/named_run.h"
-#include "demos/text/json.h"
 #include "tests/catch.h"
 #include "tests/demos/csv.h"
 #include "tests/demos/program.h"

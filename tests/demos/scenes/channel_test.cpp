@@ -1,5 +1,5 @@
 // The channel between threads: order, bounds, and how it ends.
-#include "demos/platform/channel.h"
+#include "demos/base/platform/channel.h"
 
 #include "tests/catch.h"
 

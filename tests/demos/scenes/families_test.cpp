@@ -1,7 +1,7 @@
 // Families of scenes: their members are ordinary scenes, and the random choices depend only on the seed.
+#include "demos/base/text/numbers.h"
 #include "demos/runs/simulation.h"
 #include "demos/scenes/scene_file.h"
-#include "demos/text/numbers.h"
 #include "tests/catch.h"
 #include "tests/demos/program.h"
 #include "tests/fuzz/members.h"

@@ -1,9 +1,9 @@
 // What a scene says about pairs: bodies that do not touch, and friction and restitution of pairs of materials.
+#include "demos/base/text/errors.h"
 #include "demos/options/choices.h"
 #include "demos/runs/scene.h"
 #include "demos/runs/simulation.h"
 #include "demos/scenes/scene_file.h"
-#include "demos/text/errors.h"
 #include "tests/catch.h"
 #include "tests/demos/program.h"
 #include "tests/demos/scenes/said_of.h"

@@ -1,10 +1,10 @@
 // Polyhedra in scene files: points, OBJ files, densities, what is refused, and what is written.
+#include "demos/base/text/errors.h"
+#include "demos/base/text/json.h"
 #include "demos/options/choices.h"
 #include "demos/runs/obstacles.h"
 #include "demos/runs/simulation.h"
 #include "demos/scenes/scene_file.h"
-#include "demos/text/errors.h"
-#include "demos/text/json.h"
 #include "tests/catch.h"
 #include "tests/demos/program.h"
 #include "tests/engine/collision/hulls.h"

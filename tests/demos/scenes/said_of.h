@@ -1,9 +1,9 @@
 // What the program says about a scene file.
 #pragma once
 
+#include "demos/base/text/errors.h"
 #include "demos/options/choices.h"
 #include "demos/runs/scene.h"
-#include "demos/text/errors.h"
 #include "engine/base/invalid_input.h"
 #include "tests/catch.h"
 #include "tests/demos/program.h"

@@ -1,11 +1,11 @@
 // Scene files: round trips, the examples, the schema, and the messages for wrong files.
 #include "demos/scenes/scene_file.h"
 
+#include "demos/base/text/errors.h"
+#include "demos/base/text/json.h"
 #include "demos/options/choices.h"
 #include "demos/runs/scene.h"
 #include "demos/scenes/catalogue.h"
-#include "demos/text/errors.h"
-#include "demos/text/json.h"
 #include "tests/catch.h"
 #include "tests/demos/program.h"
 #include "tests/demos/scenes/said_of.h"

@@ -1,7 +1,7 @@
 #include "tests/peers/problems/fclib_file.h"
 
-#include "demos/platform/output_file.h"
-#include "demos/text/errors.h"
+#include "demos/base/platform/output_file.h"
+#include "demos/base/text/errors.h"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #include "tests/peers/problems/frozen_file.h"
 
-#include "demos/text/json_reader.h"
+#include "demos/base/text/json_reader.h"
 
 #include <cmath>
 #include <limits>

@@ -4,10 +4,10 @@
 //                                           report error --export DIR` has written there
 //   problems agree DIR                      our solutions of these against the best of Siconos: errors, velocities,
 //                                           and impulses, which differ in the null space of W
-#include "demos/platform/messages.h"
-#include "demos/platform/output_file.h"
-#include "demos/platform/progress.h"
-#include "demos/text/errors.h"
+#include "demos/base/platform/messages.h"
+#include "demos/base/platform/output_file.h"
+#include "demos/base/platform/progress.h"
+#include "demos/base/text/errors.h"
 #include "tests/peers/problems/fclib_file.h"
 #include "tests/peers/problems/frozen_file.h"
 #include "tests/peers/problems/problem_report.h"

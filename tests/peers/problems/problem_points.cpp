@@ -1,8 +1,8 @@
 #include "tests/peers/problems/problem_points.h"
 
-#include "demos/platform/processors.h"
-#include "demos/text/errors.h"
-#include "demos/text/median.h"
+#include "demos/base/platform/processors.h"
+#include "demos/base/text/errors.h"
+#include "demos/base/text/median.h"
 #include "engine/solvers/solver.h"
 #include "tests/peers/problems/block_solvers.h"
 #include "tests/peers/problems/rows_of_contacts.h"

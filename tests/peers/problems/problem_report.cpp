@@ -1,7 +1,7 @@
 #include "tests/peers/problems/problem_report.h"
 
+#include "demos/base/platform/plain_name.h"
 #include "demos/figures/plot.h"
-#include "demos/platform/plain_name.h"
 #include "demos/reports/study.h"
 #include "tests/peers/problems/profiles.h"
 

@@ -1,6 +1,6 @@
 #include "tests/peers/problems/rows_of_contacts.h"
 
-#include "demos/text/errors.h"
+#include "demos/base/text/errors.h"
 
 #include <Eigen/Cholesky>
 #include <fmt/format.h>

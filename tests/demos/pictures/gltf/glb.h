@@ -1,7 +1,7 @@
 // A reader of .glb files, written after the specification of glTF 2.0 alone.
 #pragma once
 
-#include "demos/text/json.h"
+#include "demos/base/text/json.h"
 #include "engine/base/math.h"
 #include "tests/catch.h"
 

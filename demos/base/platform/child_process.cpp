@@ -1,4 +1,4 @@
-#include "demos/platform/child_process.h"
+#include "demos/base/platform/child_process.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-#include "demos/text/json.h"
+#include "demos/base/text/json.h"
 
 namespace pushfactor::demos {
 

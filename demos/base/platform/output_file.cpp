@@ -1,7 +1,7 @@
-#include "demos/platform/output_file.h"
+#include "demos/base/platform/output_file.h"
 
-#include "demos/text/errors.h"
-#include "demos/text/numbers.h"
+#include "demos/base/text/errors.h"
+#include "demos/base/text/numbers.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>

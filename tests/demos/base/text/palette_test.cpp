@@ -1,5 +1,5 @@
 // Whether colour-blind readers can tell the colours apart.
-#include "demos/text/palette.h"
+#include "demos/base/text/palette.h"
 
 #include "tests/catch.h"
 

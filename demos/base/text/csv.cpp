@@ -1,7 +1,7 @@
-#include "demos/text/csv.h"
+#include "demos/base/text/csv.h"
 
-#include "demos/text/errors.h"
-#include "demos/text/input.h"
+#include "demos/base/text/errors.h"
+#include "demos/base/text/input.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

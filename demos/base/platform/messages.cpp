@@ -1,6 +1,6 @@
-#include "demos/platform/messages.h"
+#include "demos/base/platform/messages.h"
 
-#include "demos/platform/output_file.h"
+#include "demos/base/platform/output_file.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>

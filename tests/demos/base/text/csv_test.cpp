@@ -1,7 +1,7 @@
 // Reading CSV files.
-#include "demos/text/csv.h"
+#include "demos/base/text/csv.h"
 
-#include "demos/text/errors.h"
+#include "demos/base/text/errors.h"
 #include "tests/catch.h"
 #include "tests/demos/program.h"
 

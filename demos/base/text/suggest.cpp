@@ -1,6 +1,6 @@
-#include "demos/text/suggest.h"
+#include "demos/base/text/suggest.h"
 
-#include "demos/text/errors.h"
+#include "demos/base/text/errors.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,7 +1,7 @@
-#include "demos/platform/assets.h"
+#include "demos/base/platform/assets.h"
 
-#include "demos/platform/output_file.h"
-#include "demos/text/errors.h"
+#include "demos/base/platform/output_file.h"
+#include "demos/base/text/errors.h"
 
 namespace pushfactor::demos {
 

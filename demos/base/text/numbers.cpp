@@ -1,4 +1,4 @@
-#include "demos/text/numbers.h"
+#include "demos/base/text/numbers.h"
 
 #include <fmt/format.h>
 

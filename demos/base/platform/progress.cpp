@@ -1,7 +1,7 @@
-#include "demos/platform/progress.h"
+#include "demos/base/platform/progress.h"
 
-#include "demos/platform/messages.h"
-#include "demos/text/errors.h"
+#include "demos/base/platform/messages.h"
+#include "demos/base/text/errors.h"
 
 #include <fmt/format.h>
 #include <unistd.h>

@@ -1,9 +1,9 @@
-#include "demos/text/json_reader.h"
+#include "demos/base/text/json_reader.h"
 
-#include "demos/text/errors.h"
-#include "demos/text/input.h"
-#include "demos/text/numbers.h"
-#include "demos/text/suggest.h"
+#include "demos/base/text/errors.h"
+#include "demos/base/text/input.h"
+#include "demos/base/text/numbers.h"
+#include "demos/base/text/suggest.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "demos/text/html.h"
+#include "demos/base/text/html.h"
 
 #include <fmt/format.h>
 

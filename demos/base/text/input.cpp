@@ -1,6 +1,6 @@
-#include "demos/text/input.h"
+#include "demos/base/text/input.h"
 
-#include "demos/text/errors.h"
+#include "demos/base/text/errors.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>

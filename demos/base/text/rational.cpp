@@ -1,4 +1,4 @@
-#include "demos/text/rational.h"
+#include "demos/base/text/rational.h"
 
 #include <charconv>
 #include <cstdlib>

@@ -1,4 +1,4 @@
-#include "demos/platform/version.h"
+#include "demos/base/platform/version.h"
 
 #include "demos/commit.h"  // written by the build (write_commit.cmake)
 

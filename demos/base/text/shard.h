@@ -1,7 +1,7 @@
 // Shares of a work that many processes do together: "3/8" is the third of eight.
 #pragma once
 
-#include "demos/text/numbers.h"
+#include "demos/base/text/numbers.h"
 
 #include <cstdint>
 #include <optional>

@@ -2,7 +2,7 @@
 // allowed.
 #pragma once
 
-#include "demos/text/json.h"
+#include "demos/base/text/json.h"
 #include "engine/base/math.h"
 
 #include <filesystem>

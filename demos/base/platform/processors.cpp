@@ -1,4 +1,4 @@
-#include "demos/platform/processors.h"
+#include "demos/base/platform/processors.h"
 
 #include <sched.h>
 
