@@ -16,7 +16,7 @@ namespace pushfactor::demos::reports::stability {
 
 // A measured number and its bar: |measure - target| / scale, in units of measure / scale.
 struct Check {
-    std::string measure{};  // one of trial.cpp, or a number of the summary
+    std::string measure{};  // one of measures.cpp, or a number of the summary
     double bar = 0.0;
     double target = 0.0;
     double scale = 1.0;
@@ -93,7 +93,8 @@ inline Expectations with_paper(const std::string& outcome, const std::string& of
 // The chapters of each source file.
 std::vector<Chapter> standing_chapters();  // towers, cubes of all sizes, overlaps, thin bodies, members of families
 std::vector<Chapter> motion_chapters();    // fast, rotating and bouncing bodies
-std::vector<Chapter> sliding_chapters();   // friction, floors of flush boxes
+std::vector<Chapter> sliding_chapters();   // friction
+std::vector<Chapter> floor_chapters();     // floors of flush boxes
 std::vector<Chapter> bar_chapters();       // bars, and scenes with little or nothing in them
 
 // All chapters in page order; for `quick` only quick cases and their chapters.

@@ -302,7 +302,8 @@ std::vector<Chapter> standing_chapters() {
 
 std::vector<Chapter> chapters(bool quick) {
     std::vector<Chapter> all;
-    for (const auto& some : {standing_chapters(), motion_chapters(), sliding_chapters(), bar_chapters()})
+    for (const auto& some :
+         {standing_chapters(), motion_chapters(), sliding_chapters(), floor_chapters(), bar_chapters()})
         all.insert(all.end(), some.begin(), some.end());
     if (!quick) return all;
     for (Chapter& chapter : all) std::erase_if(chapter.cases, [](const Case& one) { return !one.quick; });

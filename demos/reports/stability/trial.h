@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace pushfactor::demos::reports::stability {
@@ -26,6 +27,9 @@ struct Evidence {
 
 // The measured value, or one per body; empty if the run does not have it.
 std::vector<double> take(const std::string& measure, const Evidence& evidence);
+
+// The option whose file the measure is computed from; empty if the summary is enough.
+std::string_view output_of(const std::string& measure);
 
 struct Verdict {
     const Check* check = nullptr;   // null if only the outcome is checked
