@@ -11,11 +11,10 @@ namespace pushfactor::demos::pictures {
 namespace {
 
 using renderer::Image;
-using renderer::Paint;
 using renderer::Rectangle;
 
-const Paint ink{.colour = Lettering::ink_colour};
-const Paint paper{.colour = glm::vec3(1.0f), .opacity = 0.72f};
+const renderer::Paint ink{.colour = Lettering::ink_colour};
+const renderer::Paint paper{.colour = glm::vec3(1.0f), .opacity = 0.72f};
 
 }  // namespace
 
@@ -90,7 +89,7 @@ float Lettering::legend(Image& image, const Rectangle& in, const std::vector<Leg
     for (std::size_t i = 0; i < lines.size(); ++i) {
         const float middle = plate.y + 0.5f * space + (static_cast<float>(i) + 0.5f) * line_height;
         const float right = plate.x + space + key_width;
-        const Paint paint{.colour = to_glm(lines[i].colour)};
+        const renderer::Paint paint{.colour = to_glm(lines[i].colour)};
         if (lines[i].arrow > 0.0f) {
             renderer::draw_arrow(image, {right - lines[i].arrow, middle}, {right, middle}, thickness, paint);
         } else {

@@ -166,7 +166,7 @@ Moving rate_of(const Slab& slab, const Moving& now) {
     Eigen::Matrix<double, 4, 3> linear;
     linear << Eigen::Vector4d::Ones(), places.transpose();
     const Eigen::Matrix3d system = balance * linear;
-    const Eigen::Vector4d loads = linear * system.partialPivLu().solve(Eigen::Vector3d(slab.gravity, 0, 0));
+    const Eigen::Vector4d loads = linear * (slab.gravity * system.inverse().col(0));
     Moving rate;
     rate << now.tail<3>(), 0, 0, 0;
     for (int i = 0; i < 4; ++i) {

@@ -54,7 +54,7 @@ struct Corner {
 };
 
 // Labels of edges: numbers in their polyhedron, and whether it is the second one of the pair.
-constexpr std::uint32_t of_second = 1u << 10;
+constexpr std::uint32_t of_second_hull = 1u << 10;
 
 Corner between(const Corner& from, const Corner& to, double share) {
     return {from.position + share * (to.position - from.position), from.gap + share * (to.gap - from.gap),
@@ -126,7 +126,7 @@ void clip_faces(const PlacedHull& a, const PlacedHull& b, FacePair faces, const 
     const bool of_edges = axis.of_a >= 0 && axis.of_b >= 0;
     const double tolerance = of_edges ? 0.0 : constants::collision::clip_tolerance * size_of(a, b);  // m
     const Vector3 normal = (flipped ? -1.0 : 1.0) * (pose.rotation.transpose() * axis.normal);
-    const std::uint32_t of_a = flipped ? of_second : 0u, of_b = flipped ? 0u : of_second;
+    const std::uint32_t of_a = flipped ? of_second_hull : 0u, of_b = flipped ? 0u : of_second_hull;
     ClippedFace first, second;
     ClippedFace *polygon = &first, *spare = &second;
     list_corners(a, face, b, b.hull().face(faces.of_b), normal, of_b, *polygon);
