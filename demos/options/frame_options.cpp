@@ -155,17 +155,17 @@ const std::array frame_table{
 // Frame rates nearest to `fps` whose frames fall on steps at play speed `speed`; integers if possible.
 std::string rates_that_fit(const Rational& fps, const Rational& dt, const Rational& speed) {
     const Rational steps_a_second = speed / dt;
-    std::vector<Rational> rates;
+    std::vector<Rational> fitting;
     for (std::int64_t k = 1; k <= 10000; ++k) {
         const Rational rate = steps_a_second / Rational{k, 1};
-        if (rate.is_whole() || k == 1) rates.push_back(rate);
+        if (rate.is_whole() || k == 1) fitting.push_back(rate);
     }
-    std::stable_sort(rates.begin(), rates.end(), [&](const Rational& a, const Rational& b) {
+    std::stable_sort(fitting.begin(), fitting.end(), [&](const Rational& a, const Rational& b) {
         return std::abs(a.value() - fps.value()) < std::abs(b.value() - fps.value());
     });
     std::string text;
-    for (std::size_t i = 0; i < std::min<std::size_t>(4, rates.size()); ++i) {
-        text += (text.empty() ? "" : ", ") + to_text(rates[i]);
+    for (std::size_t i = 0; i < std::min<std::size_t>(4, fitting.size()); ++i) {
+        text += (text.empty() ? "" : ", ") + to_text(fitting[i]);
     }
     return text;
 }
