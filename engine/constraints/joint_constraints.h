@@ -17,9 +17,9 @@
 // gyration of the bodies: with it rows that turn are in m/s and N like all others, and tolerances mean the same.
 //
 // The motor is one of the "constant speed motors" of 8.1: its push lasts. It is the bounds that make it stall.
-// Where a limit is nearer than its speed reaches, it aims at the limit, so both agree. Limits are one-sided rows
-// like contacts: open ones may close within the step, closed ones are corrected. Two equal limits are one row that
-// acts both ways: the bodies are welded.
+// Where a limit is nearer than its speed reaches, it aims at the limit, so both agree; without a largest torque
+// that is enough, and the limit has no rows. Limits are one-sided rows like contacts: open ones may close within
+// the step, closed ones are corrected. Two equal limits are one row that acts both ways: the bodies are welded.
 //
 // The rows without bounds of joints that close a loop are soft (constraint_row.h).
 #pragma once

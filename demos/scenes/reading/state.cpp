@@ -89,8 +89,13 @@ std::vector<JointForce> read_joint_forces(const JsonReader& json, const SceneDes
     for (std::size_t i = 0; i < entries.size(); ++i) {
         const std::vector<JsonReader> rows = entries[i].elements();
         const std::size_t count = rows_of(scene.joints[i]);
-        if (rows.size() != count) entries[i].refuse(fmt::format("{} times two numbers, one per row", count));
-        std::transform(rows.begin(), rows.end(), forces[i].begin(), read_lambda);
+        // Older files have rows of limits beside a motor without a largest torque, too: the last ones, without use.
+        JointDescription older = scene.joints[i];
+        if (older.hinge && older.hinge->motor) older.hinge->motor->max_torque = 1.0;
+        if (rows.size() != count && rows.size() != rows_of(older))
+            entries[i].refuse(fmt::format("{} times two numbers, one per row", count));
+        std::transform(rows.begin(), rows.begin() + static_cast<std::ptrdiff_t>(count), forces[i].begin(),
+                       read_lambda);
     }
     return forces;
 }

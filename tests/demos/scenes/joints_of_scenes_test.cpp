@@ -236,4 +236,14 @@ TEST_CASE("wrong joints are refused with the path, the value and what is allowed
     CHECK(said_of(hinge(R"(, "limits_rad": [-3, 3], "motor": {"speed_rad_per_s": 1})")) == "accepted");
     const std::string state = cart("", R"(, "state": {"joint_forces_n": [[[0, 0]], [[0, 0]]]})");
     CHECK_THAT(said_of(state), Catch::Contains("must be 5 times two numbers, one per row"));
+    // A motor without a largest torque has had rows of its limits beside it; files with their forces go on loading.
+    const auto motor_at_limits = [&](const std::string& forces) {
+        std::string text = hinge(R"(, "limits_rad": [-3, 3], "motor": {"speed_rad_per_s": 1})");
+        text.insert(text.size() - 1, R"(, "state": {"joint_forces_n": [[)" + forces + "]]}");
+        return said_of(text);
+    };
+    const std::string six = "[0, 0], [0, 0], [0, 0], [0, 0], [0, 0], [1, 1]";
+    CHECK(motor_at_limits(six) == "accepted");
+    CHECK(motor_at_limits(six + ", [0, 0], [2, 2]") == "accepted");
+    CHECK_THAT(motor_at_limits(six + ", [0, 0]"), Catch::Contains("must be 6 times two numbers, one per row"));
 }
