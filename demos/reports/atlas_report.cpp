@@ -240,7 +240,7 @@ CellResult atlas::run_cell(const AtlasCell& cell, const StopCheck& check) {
 Study atlas_study() {
     return {.name = "atlas",
             .title = "stability atlas",
-            .parts = names_of(atlas_maps()),
+            .parts = [] { return names_of(atlas_maps()); },
             .make = make_atlas,
             .pieces = atlas_pieces};
 }

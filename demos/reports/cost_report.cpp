@@ -272,9 +272,15 @@ class CostReport {
 }  // namespace
 
 Study cost_study() {
-    std::vector<std::string> parts = names_of(catalogue());
-    parts.emplace_back(side_by_side);
-    return {"cost", "what a step costs", parts, [](StudyRun& run) { CostReport(run).make(); }};
+    return {.name = "cost",
+            .title = "what a step costs",
+            .parts =
+                [] {
+                    std::vector<std::string> parts = names_of(catalogue());
+                    parts.emplace_back(side_by_side);
+                    return parts;
+                },
+            .make = [](StudyRun& run) { CostReport(run).make(); }};
 }
 
 }  // namespace pushfactor::demos::reports

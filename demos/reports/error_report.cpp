@@ -273,11 +273,14 @@ class ErrorReport {
 }  // namespace
 
 Study error_study() {
-    std::vector<std::string> parts = names_of(error_experiments(true));
-    parts.insert(parts.end(), {frozen_part, consistency_part});
     return {.name = "error",
             .title = "error against run time",
-            .parts = parts,
+            .parts =
+                [] {
+                    std::vector<std::string> parts = names_of(error_experiments(true));
+                    parts.insert(parts.end(), {frozen_part, consistency_part});
+                    return parts;
+                },
             .make = [](StudyRun& run) { ErrorReport(run).make(); },
             .pieces = error_pieces,
             .at_once = 1};  // because it measures times

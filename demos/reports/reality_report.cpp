@@ -218,7 +218,10 @@ void reality::add_closed_forms(StudyRun& run) {
 }
 
 Study reality_study() {
-    return {.name = "reality", .title = "beside measured motion", .parts = names_of(parts), .make = make_reality};
+    return {.name = "reality",
+            .title = "beside measured motion",
+            .parts = [] { return names_of(parts); },
+            .make = make_reality};
 }
 
 }  // namespace pushfactor::demos::reports

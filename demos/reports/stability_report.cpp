@@ -273,7 +273,7 @@ class StabilityReport {
 Study stability_study() {
     return {.name = "stability",
             .title = "stability",
-            .parts = names_of(chapters(false)),
+            .parts = [] { return names_of(chapters(false)); },
             .make = [](StudyRun& run) { StabilityReport(run).make(); },
             .judges = true,
             .pieces = stability_pieces};

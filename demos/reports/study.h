@@ -65,9 +65,9 @@ class StudyRun;
 struct StudyRequest;
 
 struct Study {
-    std::string name;                // as in the command: "error"
-    std::string title;               // of the page
-    std::vector<std::string> parts;  // for --only
+    std::string name;                               // as in the command: "error"
+    std::string title;                              // of the page
+    std::vector<std::string> (*parts)() = nullptr;  // for --only, listed when it is given; null: none
     void (*make)(StudyRun& run);
     bool judges = false;  // it writes verdicts
 

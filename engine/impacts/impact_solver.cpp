@@ -12,9 +12,9 @@ namespace {
 // Share of the work that all rows do, whatever its sign, up to which a gain is rounding.
 constexpr double rounding = 1e-9;
 
-// Accuracy of the impulses, as a share of the speed of the approach, and sweeps for it where no exact answer is
-// found.
-constexpr double accuracy = 1e-12;
+// Accuracy of the impulses, as a share of the speed of the approach, that an exact answer has; what is enough where
+// none is found, and sweeps for it.
+constexpr double accuracy = 1e-12, enough = 1e-6;
 constexpr int most_sweeps = 1000;
 
 // Speed at which a contact that holds opens, as a share of that of the impact, up to which it counts as closed.
@@ -72,7 +72,7 @@ void ImpactSolver::find(const ImpactProblem& problem, bool with_rebounds, Column
     }
     impulses.setZero(static_cast<Eigen::Index>(problem.rows.size()), 1);
     const solvers::Termination termination{
-        .iterations = most_sweeps, .tolerance_high = accuracy * fastest_, .tolerance_low = accuracy * fastest_};
+        .iterations = most_sweeps, .tolerance_high = enough * fastest_, .tolerance_low = accuracy * fastest_};
     solver_->solve(system_, termination, impulses);
 }
 
@@ -109,6 +109,7 @@ std::span<const Vector6> ImpactSolver::solve(ImpactProblem& problem) {
     build_system(problem.bodies, problem.rows.all(), 1.0, system_);
     aim(problem);
     find(problem, true, impulses_);
+    is_solved_ = natural_residual(system_, impulses_) <= enough * fastest_;
     constraint_forces(system_, impulses_, 0, on_bodies_);
     if (gains(problem)) {
         find(problem, false, stopped_);

@@ -51,6 +51,9 @@ class ImpactSolver {
     // Impulses on the bodies [N s, N m s], by body of the problem; valid until the next call.
     std::span<const Vector6> solve(ImpactProblem& problem);
 
+    // Whether those of the last solve are an answer: with friction between bodies that are held there may be none.
+    bool is_solved() const { return is_solved_; }
+
     // J, that belts and moved bodies have added in the last solve.
     double external_work() const { return external_work_; }
 
@@ -70,6 +73,7 @@ class ImpactSolver {
     double fastest_ = 0.0;   // m/s, approach of the pairs
     Columns impulses_, stopped_;
     std::vector<Vector6> on_bodies_, on_bodies_stopped_;
+    bool is_solved_ = true;
     double external_work_ = 0.0;
 };
 

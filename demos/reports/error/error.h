@@ -41,6 +41,7 @@ struct Experiment {
     double contraction = 0.0;  // of the error per sweep of cold pgs, 0 if unknown
     std::optional<double>
         clock_seconds{};  // s, length of the timed runs, if a shorter run costs the same per second
+    int timed_runs = 5;   // per point
     bool solves = true;   // false: there are no rows, and work is counted in moves
 };
 
@@ -81,7 +82,7 @@ struct ErrorPoint {
 // Outcomes that the exact solution does not have; to fly up is none of them for some methods.
 bool means_failure(const std::string& outcome);
 
-ErrorPoint run_point(const Experiment& sweep, const Method& method, const std::string& value, int repeats,
+ErrorPoint run_point(const Experiment& sweep, const Method& method, const std::string& value,
                      const StopCheck& check);
 
 // The points of sweeps as pieces, and the point of a result.

@@ -19,8 +19,6 @@ namespace pushfactor::demos::reports::error {
 
 namespace {
 
-constexpr int timed_runs = 5;  // per point
-
 struct StepLog {
     double multiply_adds = 0.0;
     std::vector<double> us;  // where there is a clock
@@ -84,7 +82,7 @@ bool means_failure(const std::string& outcome) {
     return std::ranges::find(failures, outcome) != failures.end();
 }
 
-ErrorPoint run_point(const Experiment& sweep, const Method& method, const std::string& value, int repeats,
+ErrorPoint run_point(const Experiment& sweep, const Method& method, const std::string& value,
                      const StopCheck& check) {
     Choices choices = run_at(sweep, method, value);
     ErrorPoint point{.scene = sweep.scene,
@@ -102,13 +100,13 @@ ErrorPoint run_point(const Experiment& sweep, const Method& method, const std::s
     point.outcome = finite ? name_of(measurements.outcome()) : "non-finite";
     point.failed = fails(point.outcome, method);
     if (sweep.clock_seconds) choices.settings.seconds = std::min(choices.settings.seconds, *sweep.clock_seconds);
-    point.cpu = time_runs(choices, repeats, check);
+    point.cpu = time_runs(choices, sweep.timed_runs, check);
     return point;
 }
 
 std::string key_of(const Experiment& sweep, const Method& method, const std::string& value) {
     return fmt::format("error: {}, {}: {}; timed {} times{}", sweep.name, method.name,
-                       run_key(sweep.scene, options_at(sweep, method, value)), timed_runs,
+                       run_key(sweep.scene, options_at(sweep, method, value)), sweep.timed_runs,
                        sweep.clock_seconds ? fmt::format(" over {} s", *sweep.clock_seconds) : "");
 }
 
@@ -117,10 +115,9 @@ Pieces point_pieces(const std::vector<Experiment>& sweeps) {
     for (const Experiment& sweep : sweeps) {
         for (const Method& method : sweep.methods) {
             for (const std::string& value : method.values) {
-                pieces.push_back(
-                    {key_of(sweep, method, value), [sweep, method, value](const StopCheck& check) {
-                         return Json(exact_rows(table_of({run_point(sweep, method, value, timed_runs, check)})));
-                     }});
+                pieces.push_back({key_of(sweep, method, value), [sweep, method, value](const StopCheck& check) {
+                                      return Json(exact_rows(table_of({run_point(sweep, method, value, check)})));
+                                  }});
             }
         }
     }

@@ -192,9 +192,10 @@ TEST_CASE("a run that breaks is named, and its time is that of the steps before"
     Experiment sweep{
         .scene = "chain",
         .common = {{"preset", "paper"}, {"end-mass", "1000000"}, {"distance-beta", "1"}, {"seconds", "20"}},
-        .error = converged_error};
+        .error = converged_error,
+        .timed_runs = 1};
     const Method method{.name = "pgs", .differs = {}, .knob = "iterations", .colour = "blue"};
-    const ErrorPoint point = run_point(sweep, method, "25", 1, [] {});
+    const ErrorPoint point = run_point(sweep, method, "25", [] {});
     CHECK(point.failed);
     CHECK(csv_text(table_of(std::vector{point})).find("," + point.outcome + "\n") != std::string::npos);
     CHECK(point.cpu.median > 0.0);
