@@ -86,12 +86,15 @@ void leave_compressed(const Island& island, const Columns& lambda, double h, Sys
     });
 }
 
+// Of joints: a contact that closes one opens where its force would be wrong.
 bool has_loops(const SystemEquation& system, const Island& island) {
     if (!island.has(RowDigest::joins) || !island.has(RowDigest::soft)) return false;
     return std::any_of(island.runs.begin(), island.runs.end(), [&](const RowRun& run) {
         const auto rows =
             system.rows.subspan(static_cast<std::size_t>(run.begin), static_cast<std::size_t>(run.end - run.begin));
-        return std::any_of(rows.begin(), rows.end(), is_of_loop);
+        return std::any_of(rows.begin(), rows.end(), [](const ConstraintRow& row) {
+            return row.label.kind == RowKind::joint && is_of_loop(row);
+        });
     });
 }
 
