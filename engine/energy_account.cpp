@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace pushfactor::engine {
 
@@ -95,30 +96,32 @@ void EnergyAccount::end(const World& world, double dt) {
 }
 
 void EnergyAccount::note_overlaps(const World& world) {
+    std::map<Bodies, double> depths;
     each_contact(world, [&](const Bodies& bodies, double depth, double) {
         if (depth <= 0.0) return;
-        Overlap& overlap = overlaps_[bodies];
-        overlap.depth = std::max(overlap.depth, depth);
+        double& deepest = depths[bodies];
+        deepest = std::max(deepest, depth);
     });
+    for (const auto& [bodies, depth] : depths) overlaps_.push_back({.bodies = bodies, .depth = depth});
 }
 
 // Until the beginning of the last step, with the forces of the step before it.
 double EnergyAccount::work_of_removing(const World& world) {
     if (overlaps_.empty()) return 0.0;
-    std::map<Bodies, Overlap> now;
     each_contact(world, [&](const Bodies& bodies, double depth, double force) {
-        if (!overlaps_.contains(bodies)) return;
-        Overlap& overlap = now[bodies];
-        overlap.depth = std::max(overlap.depth, depth);
-        overlap.force += force;
+        const auto found = std::ranges::lower_bound(overlaps_, bodies, {}, &Overlap::bodies);
+        if (found == overlaps_.end() || found->bodies != bodies) return;
+        found->is_seen = true;
+        found->seen_depth = std::max(found->seen_depth, depth);
+        found->seen_force += force;
     });
     double work = 0.0;
-    for (auto& [bodies, overlap] : overlaps_) {
-        if (!now.contains(bodies) && rests(world, bodies)) continue;
-        const Overlap& seen = now[bodies];
-        work += overlap.force * std::max(0.0, overlap.depth - seen.depth);
-        overlap = {std::min(overlap.depth, seen.depth), seen.force};
+    for (Overlap& own : overlaps_) {
+        if (!own.is_seen && rests(world, own.bodies)) continue;
+        work += own.force * std::max(0.0, own.depth - own.seen_depth);
+        own = {.bodies = own.bodies, .depth = std::min(own.depth, own.seen_depth), .force = own.seen_force};
     }
+    std::erase_if(overlaps_, [](const Overlap& own) { return own.depth <= 0.0; });
     return work;
 }
 

@@ -15,8 +15,8 @@
 
 #include "engine/world.h"
 
-#include <map>
 #include <utility>
+#include <vector>
 
 namespace pushfactor::engine {
 
@@ -38,12 +38,15 @@ class EnergyAccount {
     double external_work() const { return external_; }
 
   private:
+    using Bodies = std::pair<int, int>;
     // Remaining overlap of a pair that overlapped at the start.
     struct Overlap {
-        double depth = 0.0;  // m, smallest so far
-        double force = 0.0;  // N, sum over its rows in the last step
+        Bodies bodies;
+        double depth = 0.0;    // m, smallest so far
+        double force = 0.0;    // N, sum over its rows in the last step
+        bool is_seen = false;  // in this step: its depth and force there
+        double seen_depth = 0.0, seen_force = 0.0;
     };
-    using Bodies = std::pair<int, int>;
 
     double energy(std::span<const Body> bodies, double dt) const;
     double external_work_of(const World& world, double dt) const;
@@ -53,9 +56,9 @@ class EnergyAccount {
 
     Vector3 gravity_;
     std::vector<Body> before_;
-    std::map<Bodies, Overlap> overlaps_;
-    bool noted_ = false;   // overlaps of the start are recorded
-    double latest_ = 0.0;  // J, energy() after the last step
+    std::vector<Overlap> overlaps_;  // ascending
+    bool noted_ = false;             // overlaps of the start are recorded
+    double latest_ = 0.0;            // J, energy() after the last step
     double start_ = 0.0, external_ = 0.0, gain_ = 0.0;
     double push_ = 0.0;  // J, work of all steps for removing overlaps of the start
 };

@@ -36,7 +36,7 @@ double wave_speed(const Row& row, double spacing) {
                                           {"spacing", fmt::format("{}", spacing)},
                                           {"friction", row.friction},
                                           {"dt", "1/480"},
-                                          {"substeps", "2"}});
+                                          {"substeps", "1"}});
     BodyDescription& first = choices.description.bodies[1];
     first.velocity *= stronger;
     first.angular_velocity *= stronger;
