@@ -55,7 +55,7 @@ void Obstacles::list(const BuiltScene& scene) {
     if (!scene.contacts) return;
     for (const auto& collider : scene.contacts->colliders()) {
         const engine::Body& body = scene.world.bodies[static_cast<std::size_t>(collider.body)];
-        const Pose pose{body.position, body.orientation.conjugate()};
+        const Pose pose{body.position, body.orientation.conjugate().toRotationMatrix()};
         if (body.is_static()) all_.push_back({pose, pose, collider.shape});
     }
 }
@@ -63,7 +63,7 @@ void Obstacles::list(const BuiltScene& scene) {
 bool Obstacles::is_behind_plane(const Vector3& centre) const {
     return std::ranges::any_of(all_, [&](const Obstacle& obstacle) {
         return std::holds_alternative<engine::collision::Plane>(obstacle.shape) &&
-               (obstacle.now.from_world.conjugate() * Vector3::UnitY()).dot(centre - obstacle.now.centre) < 0.0;
+               obstacle.now.from_world.row(1).dot(centre - obstacle.now.centre) < 0.0;
     });
 }
 

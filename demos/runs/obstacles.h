@@ -24,7 +24,7 @@ class Obstacles {
   private:
     struct Pose {
         engine::Vector3 centre;
-        engine::Quaternion from_world;
+        engine::Matrix3 from_world;
 
         engine::Vector3 in_frame(const engine::Vector3& point) const { return from_world * (point - centre); }
     };

@@ -51,6 +51,8 @@ Met met_at(const StepScene& scene, const Touch& touch, double time, double margi
 
 // The points below the margin, and those that the rest of the step closes.
 void find_points(const Met& met, Manifold& manifold) {
+    const auto is_ball = [](const Shape& shape) { return std::holds_alternative<Sphere>(shape); };
+    if (manifold.count > 0 && (is_ball(met.a.shape) || is_ball(met.b.shape))) return;  // there is no other point
     const double reach = approach(met.a, met.b, manifold.normal, met.rest);
     if (reach <= met.margin) return;
     collide(met.a.shape, met.a.start, met.b.shape, met.b.start, met.margin + reach, manifold);
