@@ -1,6 +1,7 @@
 #include "engine/collision/broad_phase.h"
 
 #include <algorithm>
+#include <atomic>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -13,6 +14,8 @@ namespace {
 
 // Buckets per thread task.
 constexpr std::size_t buckets_of_a_part = 500;
+// Pairs per thread task.
+constexpr std::size_t near_pairs_of_a_part = 1000;
 
 // Most boxes are no wider than a share of a column; those of more columns are tested with all others.
 constexpr double usual = 0.9, columns_of_usual = 2.0, most_columns = 3.0;
@@ -77,16 +80,20 @@ std::span<const Pair> BroadPhase::find_pairs(std::span<const Collider> colliders
                                              std::span<const Pose> poses, double margin, const StepMotions* step,
                                              const Awake& awake, std::span<const int> moved, Threads* threads) {
     list_shapes(colliders, poses, step, moved);
+    std::atomic<bool> stay = roomy_.size() == bounds_.size() && planes_ == planes_then_;
     share_each(threads, moved, bodies_of_a_part, [&](int i) {
         const Collider& collider = colliders[static_cast<std::size_t>(i)];
         if (!is_finite(collider.shape)) return;
         const auto body = static_cast<std::size_t>(collider.body);
-        Bounds& bounds = bounds_[static_cast<std::size_t>(place_[static_cast<std::size_t>(i)])];
+        const auto place = static_cast<std::size_t>(place_[static_cast<std::size_t>(i)]);
+        Bounds& bounds = bounds_[place];
         set(bounds, swept_box(collider.shape, poses[body], step ? step->path_of(collider.body) : Motion{},
                               step ? step->dt : 0.0, margin * size_of(collider.shape)));
         bounds.collider = i;
         bounds.body = collider.body;
         bounds.idle = bodies[body].is_static() || !awake.has(i);
+        if (stay.load(std::memory_order_relaxed) && !stays_in_room(place))
+            stay.store(false, std::memory_order_relaxed);
     });
     pairs_.clear();
     const auto can_move = [&](int i) {
@@ -94,14 +101,51 @@ std::span<const Pair> BroadPhase::find_pairs(std::span<const Collider> colliders
         return !bodies[static_cast<std::size_t>(body)].is_static();
     };
     if (std::none_of(awake.members().begin(), awake.members().end(), can_move)) return pairs_;
-    for (Bounds& bounds : bounds_) bounds.wanted = !bounds.idle;
-    search(threads);
+    if (!stay) find_near(margin, colliders, threads);
+    pair_search_.append_to(pairs_, threads, near_.size(), near_pairs_of_a_part,
+                           [this](std::size_t begin, std::size_t end, std::vector<Pair>& found) {
+                               std::copy_if(near_.begin() + static_cast<std::ptrdiff_t>(begin),
+                                            near_.begin() + static_cast<std::ptrdiff_t>(end),
+                                            std::back_inserter(found),
+                                            [this](const Pair& pair) { return is_near(pair); });
+                           });
     return pairs_;
+}
+
+// Whether what the last search with room has found about the box is still true.
+bool BroadPhase::stays_in_room(std::size_t box) const {
+    const Bounds &now = bounds_[box], &then = roomy_[box];
+    return now.collider == then.collider && now.idle == then.idle && now.finite && then.finite &&
+           (now.low.array() >= then.low.array()).all() && (now.high.array() <= then.high.array()).all();
+}
+
+// The same with as much room again as the margin.
+void BroadPhase::find_near(double margin, std::span<const Collider> colliders, Threads* threads) {
+    roomy_ = bounds_;
+    for (Bounds& box : roomy_) {
+        const double room = margin * size_of(colliders[static_cast<std::size_t>(box.collider)].shape);
+        set(box, {box.centre, box.reach + Vector3::Constant(room)});
+        box.wanted = !box.idle;
+    }
+    planes_then_ = planes_;
+    search(roomy_, threads);
+    near_.swap(pairs_);
+    pairs_.clear();
+}
+
+// Whether the boxes of a pair that was found with room overlap.
+bool BroadPhase::is_near(const Pair& pair) const {
+    const auto place_of = [this](int collider) { return place_[static_cast<std::size_t>(collider)]; };
+    const int a = place_of(pair.a), b = place_of(pair.b);
+    if (a >= 0 && b >= 0)
+        return overlap(bounds_[static_cast<std::size_t>(a)], bounds_[static_cast<std::size_t>(b)]);
+    const auto plane = std::ranges::find(planes_, a < 0 ? pair.a : pair.b, &Plane::collider);
+    return reaches(bounds_[static_cast<std::size_t>(std::max(a, b))], *plane);
 }
 
 std::span<const Pair> BroadPhase::find_pairs_of(std::span<const char> of, Threads* threads) {
     for (Bounds& bounds : bounds_) bounds.wanted = of[static_cast<std::size_t>(bounds.collider)] != 0;
-    search(threads);
+    search(bounds_, threads);
     return pairs_;
 }
 
@@ -145,7 +189,8 @@ void BroadPhase::list_shapes(std::span<const Collider> colliders, std::span<cons
 }
 
 // Finds the pairs of the wanted boxes.
-void BroadPhase::search(Threads* threads) {
+void BroadPhase::search(std::vector<Bounds>& boxes, Threads* threads) {
+    searched_ = boxes;
     pairs_.clear();
     choose_boxes();
     fill_columns();
@@ -170,14 +215,14 @@ void BroadPhase::search(Threads* threads) {
 // The wanted boxes and the others that are where these are.
 void BroadPhase::choose_boxes() {
     Vector3 low = Vector3::Constant(infinity), high = -low;
-    for (const Bounds& box : bounds_) {
+    for (const Bounds& box : searched_) {
         if (!box.wanted || !box.finite) continue;
         low = low.cwiseMin(box.low);
         high = high.cwiseMax(box.high);
     }
     chosen_.clear();
-    for (std::size_t k = 0; k < bounds_.size(); ++k) {
-        const Bounds& box = bounds_[k];
+    for (std::size_t k = 0; k < searched_.size(); ++k) {
+        const Bounds& box = searched_[k];
         const bool near = (box.low.array() <= high.array()).all() && (box.high.array() >= low.array()).all();
         if (box.finite && near) chosen_.push_back(static_cast<int>(k));
     }
@@ -185,7 +230,7 @@ void BroadPhase::choose_boxes() {
 
 double BroadPhase::column_width() {
     widths_.clear();
-    for (const int k : chosen_) widths_.push_back(width_of(bounds_[static_cast<std::size_t>(k)]));
+    for (const int k : chosen_) widths_.push_back(width_of(searched_[static_cast<std::size_t>(k)]));
     if (widths_.empty()) return 1.0;
     const auto middle =
         widths_.begin() + static_cast<std::ptrdiff_t>(usual * static_cast<double>(widths_.size() - 1));
@@ -203,7 +248,7 @@ void BroadPhase::fill_columns() {
     entries_.clear();
     wide_.clear();
     for (const int k : chosen_) {
-        Bounds& box = bounds_[static_cast<std::size_t>(k)];
+        Bounds& box = searched_[static_cast<std::size_t>(k)];
         box.wide = width_of(box) > most_columns * width;
         if (box.wide) {
             wide_.push_back(k);
@@ -233,25 +278,25 @@ void BroadPhase::sweep(std::span<Entry> entries, std::vector<Pair>& found) const
     });
     for (std::size_t k = 0; k < entries.size(); ++k) {
         const Entry& one = entries[k];
-        const Bounds& box = bounds_[static_cast<std::size_t>(one.box)];
+        const Bounds& box = searched_[static_cast<std::size_t>(one.box)];
         for (const Entry& other : entries.subspan(k + 1)) {
             if (other.low > one.high || other.x != one.x || other.z != one.z) break;
             // Two boxes that share more than one column make their pair in the first of these.
             if ((one.first | other.first) != 3u) continue;
-            add_if_near(box, bounds_[static_cast<std::size_t>(other.box)], found);
+            add_if_near(box, searched_[static_cast<std::size_t>(other.box)], found);
         }
     }
 }
 
 void BroadPhase::add_with_planes_and_wide(int box, std::vector<Pair>& found) const {
-    const Bounds& one = bounds_[static_cast<std::size_t>(box)];
+    const Bounds& one = searched_[static_cast<std::size_t>(box)];
     if (one.wanted && !one.idle) {
         for (const Plane& plane : planes_) {
             if (reaches(one, plane)) add(plane.collider, one.collider, found);
         }
     }
     for (const int k : wide_) {
-        if (!one.wide || box < k) add_if_near(one, bounds_[static_cast<std::size_t>(k)], found);
+        if (!one.wide || box < k) add_if_near(one, searched_[static_cast<std::size_t>(k)], found);
     }
 }
 

@@ -1,5 +1,6 @@
 // Broad phase: pairs of colliders that may touch. The bounding boxes are put into the columns of a square grid, and
-// in each column those that overlap are found along their order from the bottom up.
+// in each column those that overlap are found along their order from the bottom up. They are searched with some
+// room, and again when one of them has left it; until then only the pairs found are looked at.
 #pragma once
 
 #include "engine/base/threads.h"
@@ -50,7 +51,10 @@ BoundingBox swept_box(const Shape& shape, const Pose& pose, const Motion& motion
 class BroadPhase {
   public:
     // Pairs that are never found, from the next search on; null: none. Must outlive its use.
-    void leave_out(const PairFilter* filter) { filter_ = filter; }
+    void leave_out(const PairFilter* filter) {
+        filter_ = filter;
+        roomy_.clear();
+    }
 
     // All pairs, in ascending order, whose bounding boxes come closer than `margin` (a fraction of each shape's
     // size) now or, with `step`, along their free motions. Never two colliders of one body, never two that are
@@ -86,6 +90,7 @@ class BroadPhase {
     struct Plane {
         Vector3 point, up;  // m; unit normal
         int collider = 0;
+        bool operator==(const Plane&) const = default;
     };
     // A box in one of the columns that it reaches into.
     struct Entry {
@@ -98,7 +103,10 @@ class BroadPhase {
     static void set(Bounds& bounds, const BoundingBox& box);
     void list_shapes(std::span<const Collider> colliders, std::span<const Pose> poses, const StepMotions* step,
                      std::span<const int> moved);
-    void search(Threads* threads);
+    bool stays_in_room(std::size_t box) const;
+    void find_near(double margin, std::span<const Collider> colliders, Threads* threads);
+    bool is_near(const Pair& pair) const;
+    void search(std::vector<Bounds>& boxes, Threads* threads);
     void choose_boxes();
     double column_width();
     void fill_columns();
@@ -113,7 +121,13 @@ class BroadPhase {
     std::vector<Plane> planes_;
     std::vector<Pair> pairs_, pairs_before_;
 
+    // Of the last search with room: its boxes and planes, and what it has found.
+    std::vector<Bounds> roomy_;
+    std::vector<Plane> planes_then_;
+    std::vector<Pair> near_;
+
     // Of the current search.
+    std::span<Bounds> searched_;
     std::vector<int> chosen_, wide_;  // boxes
     std::vector<double> widths_;      // m, of the chosen ones
     std::vector<Entry> entries_, entries_before_;
