@@ -20,6 +20,9 @@ constexpr std::size_t near_pairs_of_a_part = 1000;
 // Most boxes are no wider than a share of a column; those of more columns are tested with all others.
 constexpr double usual = 0.9, columns_of_usual = 2.0, most_columns = 3.0;
 
+// Room of a box in a search, as a share of the size of the shape.
+constexpr double room = 0.01;
+
 // Whether part of the box may be below the plane.
 template <typename Plane>
 bool reaches(const BoundingBox& box, const Plane& plane) {
@@ -101,7 +104,7 @@ std::span<const Pair> BroadPhase::find_pairs(std::span<const Collider> colliders
         return !bodies[static_cast<std::size_t>(body)].is_static();
     };
     if (std::none_of(awake.members().begin(), awake.members().end(), can_move)) return pairs_;
-    if (!stay) find_near(margin, colliders, threads);
+    if (!stay) find_near(colliders, threads);
     pair_search_.append_to(pairs_, threads, near_.size(), near_pairs_of_a_part,
                            [this](std::size_t begin, std::size_t end, std::vector<Pair>& found) {
                                std::copy_if(near_.begin() + static_cast<std::ptrdiff_t>(begin),
@@ -119,12 +122,12 @@ bool BroadPhase::stays_in_room(std::size_t box) const {
            (now.low.array() >= then.low.array()).all() && (now.high.array() <= then.high.array()).all();
 }
 
-// The same with as much room again as the margin.
-void BroadPhase::find_near(double margin, std::span<const Collider> colliders, Threads* threads) {
+// Searches with room.
+void BroadPhase::find_near(std::span<const Collider> colliders, Threads* threads) {
     roomy_ = bounds_;
     for (Bounds& box : roomy_) {
-        const double room = margin * size_of(colliders[static_cast<std::size_t>(box.collider)].shape);
-        set(box, {box.centre, box.reach + Vector3::Constant(room)});
+        const double size = size_of(colliders[static_cast<std::size_t>(box.collider)].shape);
+        set(box, {box.centre, box.reach + Vector3::Constant(room * size)});
         box.wanted = !box.idle;
     }
     planes_then_ = planes_;

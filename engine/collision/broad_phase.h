@@ -104,7 +104,7 @@ class BroadPhase {
     void list_shapes(std::span<const Collider> colliders, std::span<const Pose> poses, const StepMotions* step,
                      std::span<const int> moved);
     bool stays_in_room(std::size_t box) const;
-    void find_near(double margin, std::span<const Collider> colliders, Threads* threads);
+    void find_near(std::span<const Collider> colliders, Threads* threads);
     bool is_near(const Pair& pair) const;
     void search(std::vector<Bounds>& boxes, Threads* threads);
     void choose_boxes();
