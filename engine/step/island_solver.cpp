@@ -86,16 +86,21 @@ void leave_compressed(const Island& island, const Columns& lambda, double h, Sys
     });
 }
 
-// Of joints: a contact that closes one opens where its force would be wrong.
-bool has_loops(const SystemEquation& system, const Island& island) {
-    if (!island.has(RowDigest::joins) || !island.has(RowDigest::soft)) return false;
-    return std::any_of(island.runs.begin(), island.runs.end(), [&](const RowRun& run) {
-        const auto rows =
-            system.rows.subspan(static_cast<std::size_t>(run.begin), static_cast<std::size_t>(run.end - run.begin));
-        return std::any_of(rows.begin(), rows.end(), [](const ConstraintRow& row) {
-            return row.label.kind == RowKind::joint && is_of_loop(row);
-        });
+// Whether any row closes a loop; and whether one of a joint does: a contact opens where its force would be wrong.
+struct Loops {
+    bool any = false, of_joints = false;
+};
+
+Loops loops_of(const SystemEquation& system, const Island& island) {
+    Loops loops;
+    if (!island.has(RowDigest::joins) || !island.has(RowDigest::soft)) return loops;
+    each_force(island.runs, 1, [&](Eigen::Index j, Eigen::Index) {
+        const ConstraintRow& row = system.rows[static_cast<std::size_t>(j)];
+        if (!is_of_loop(row)) return;
+        loops.any = true;
+        loops.of_joints = loops.of_joints || row.label.kind == RowKind::joint;
     });
+    return loops;
 }
 
 double larger(const std::array<double, 2>& residuals) {
@@ -133,18 +138,19 @@ solvers::SolveCount IslandSolver::solve(Bench& bench, const solvers::Termination
         const SmallSteps::Division division = bench.small_steps->division_of(system, bodies, island);
         leave_compressed(island, lambda, system.dt / division.steps, system);
     }
-    const bool loops = has_loops(system, island);
-    if (loops) shift_targets(island, lambda, 1.0, system);  // the last forces were found with targets like these
+    const Loops loops = loops_of(system, island);
+    if (loops.any)
+        shift_targets(island, lambda, 1.0, system);  // the last forces were found with targets like these
     outcome.residuals = measure(system, island, lambda, forces, bench);
     if (!choice::will_do(larger(outcome.residuals), usual, system, bodies, island)) {
-        if (loops) {
+        if (loops.any) {
             shift_targets(island, lambda, -1.0, system);
             outcome.residuals = measure(system, island, lambda, forces, bench);
         }
         solvers::Termination own = usual;
         const std::span<const double> residuals(outcome.residuals.data(), static_cast<std::size_t>(island.columns));
-        const choice::Worth worth =
-            choice::worth_of(system, bodies, island, residuals, has_forces(island, lambda), divides, loops);
+        const choice::Worth worth = choice::worth_of(system, bodies, island, residuals, has_forces(island, lambda),
+                                                     divides, loops.of_joints);
         own.worth = worth.multiply_adds;
         own.factorisations = worth.factorisations;
         own.at_least = worth.at_least;
@@ -153,7 +159,7 @@ solvers::SolveCount IslandSolver::solve(Bench& bench, const solvers::Termination
             own.will_do = choice::good_residual(system.dt, bodies, island);
         }
         count = find_better(bench, own, system, island, first_guess, lambda, forces, outcome);
-        if (outcome.method == Method::exact && loops)
+        if (outcome.method == Method::exact && loops.any)
             lessen(bench, own, system, island, lambda, forces, outcome, count);
     }
     note(island, outcome);

@@ -182,6 +182,31 @@ TEST_CASE("an arm that lies on its own frame rests there, not in it") {
     }
 }
 
+// Its loop is closed by contacts alone, which small steps would have left unsolved.
+TEST_CASE("an arm that lies flat on a light frame is solved in each step, and stays") {
+    SceneDescription scene;
+    scene.contacts = true;
+    scene.gravity = {0, -9.81, 0};
+    const auto box = [&](const char* name, const Vector3& size, double mass, const Vector3& position) {
+        scene.bodies.push_back(
+            {.name = name, .shape = BoxShape{size}, .mass = mass, .position = position, .friction = 0.5});
+    };
+    scene.bodies.push_back({.name = "ground", .shape = PlaneShape{}, .friction = 0.5});
+    box("frame", {2, 0.2, 0.6}, 7, {0, 0.1, 0});
+    box("post", {0.2, 0.6, 0.6}, 7, {-1.1, 0.3, 0});
+    box("arm", {1.6, 0.2, 0.4}, 100, {0.1, 0.3, 0});
+    const HingeDescription free{.axis = Vector3::UnitZ()};
+    HingeDescription weld = free;
+    weld.limits = engine::AngleLimits{0.0, 0.0};
+    scene.joints.push_back({.a = {"frame", {-1, 0.2, 0}}, .b = {"post", {0.1, 0, 0}}, .hinge = weld});
+    scene.joints.push_back({.a = {"post", {0.1, 0, 0}}, .b = {"arm", {-1.1, 0, 0}}, .hinge = free});
+    const Settings settings = tests::awake_settings("default");
+    tests::Run run(Simulation(build_scene(scene, settings), settings));
+    run.advance(5.0);
+    CHECK(run.measurements.unsolved().count == 0);
+    CHECK((run.simulation.scene().world.bodies[3].position - Vector3(0.1, 0.3, 0)).norm() < 2e-5);
+}
+
 TEST_CASE("joints of a ring that turns freely have the least forces that hold it together") {
     tests::Random random(6);
     for (int trial = 0; trial < 8; ++trial) {
