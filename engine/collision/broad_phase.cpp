@@ -103,7 +103,10 @@ std::span<const Pair> BroadPhase::find_pairs(std::span<const Collider> colliders
         const int body = colliders[static_cast<std::size_t>(i)].body;
         return !bodies[static_cast<std::size_t>(body)].is_static();
     };
-    if (std::none_of(awake.members().begin(), awake.members().end(), can_move)) return pairs_;
+    if (std::none_of(awake.members().begin(), awake.members().end(), can_move)) {
+        if (!stay) roomy_.clear();  // what has left is not among `moved` for ever
+        return pairs_;
+    }
     if (!stay) find_near(colliders, threads);
     pair_search_.append_to(pairs_, threads, near_.size(), near_pairs_of_a_part,
                            [this](std::size_t begin, std::size_t end, std::vector<Pair>& found) {
