@@ -8,6 +8,7 @@ namespace pushfactor::tests {
 inline demos::Settings awake_settings(std::string_view preset) {
     demos::Settings settings = demos::preset_settings(preset);
     settings.rest = false;
+    settings.threads = 1;  // tests run beside each other
     return settings;
 }
 

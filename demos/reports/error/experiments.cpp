@@ -189,7 +189,7 @@ std::vector<Experiment> error_experiments(bool quick) {
         "Forty cubes, turned at random, fall and come to rest: how far the two of a step overlap that do so most, "
         "the median of the steps. Exact contacts do not overlap.",
         solvers(false) + small_steps(quick));
-    add("pendulum-wave", "Pendulum wave: against the exact motion", "substeps=1", "60", "5", scene_error,
+    add("pendulum-wave", "Pendulum wave: against the exact motion", "substeps=1", "60", "2", scene_error,
         "error of the angle, RMS [degrees]",
         "Fifty pendulums against the exact motion of a ball on a bar (two angles): the error of the angle over all "
         "balls and steps. Grey: errors that shrink with a power of the step.",

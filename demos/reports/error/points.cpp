@@ -90,7 +90,7 @@ ErrorPoint run_point(const Experiment& sweep, const Method& method, const std::s
                      .differences = differences(sweep, method),
                      .knob = method.knob,
                      .value = value};
-    Simulation run(choices);
+    Simulation run(choices.on_one_thread());
     Measurements measurements(run);
     StepLog work;
     TrueError error = sweep.error(run);
