@@ -149,9 +149,10 @@ Report read_report(Words& words, const std::string& name) {
     if (grid) request.grid = {*scene, *x, *y, measure, set, replays};
     request.quick = words.take("quick", !grid, "without --grid, which says all values").has_value();
     request.parts = take_list(words, "only", !grid, "without --grid, which is one map");
-    const std::vector<std::string> known =
-        study.parts && !request.parts.empty() ? study.parts() : std::vector<std::string>{};
-    for (const std::string& part : request.parts) require_known("--only", part, known);
+    if (!request.parts.empty()) {
+        const std::vector<std::string> known = study.parts();
+        for (const std::string& part : request.parts) require_known("--only", part, known);
+    }
     const bool frozen = name == "error" && request.wants("frozen");
     const bool tosses = name == "reality" && request.wants("tosses");
     request.beside =

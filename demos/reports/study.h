@@ -67,7 +67,7 @@ struct StudyRequest;
 struct Study {
     std::string name;                               // as in the command: "error"
     std::string title;                              // of the page
-    std::vector<std::string> (*parts)() = nullptr;  // for --only, listed when it is given; null: none
+    std::vector<std::string> (*parts)() = nullptr;  // for --only, listed when it is given
     void (*make)(StudyRun& run);
     bool judges = false;  // it writes verdicts
 

@@ -400,8 +400,8 @@ void Impacts::strike(std::span<const ConstraintRow> rows) {
     const std::span<const Vector6> impulses = solver_.solve(problem_);
     external_work_ += solver_.external_work();
     // The same pairs would meet again at once, with no better answer: they are contacts for the rest of the step.
-    for (const int number : struck_) {
-        if (!solver_.is_solved()) meetings_[at(number)].limits.least = infinity;
+    if (!solver_.is_solved()) {
+        for (const int number : struck_) meetings_[at(number)].limits.least = infinity;
     }
     changed_.clear();
     for (std::size_t k = 0; k < members_.size(); ++k) {
