@@ -383,9 +383,7 @@ void Impacts::strike(std::span<const ConstraintRow> rows) {
         if (time == never) time = met.time;
         ++count_;
         add_pair(number, time);
-        const double lost = (1.0 - meeting.touch.restitution) * met.speed;
-        const double least = constants::impacts::least_left * lost;
-        meeting.limits.least = std::max(meeting.limits.least, least);
+        meeting.limits.least += constants::impacts::share_of_lost * (1.0 - meeting.touch.restitution) * met.speed;
         size = std::min(size, meeting.touch.size);
     }
     if (time == never) return;

@@ -81,6 +81,7 @@ class ActiveSet {
 
     void find_states(const UnitProblem& problem, const std::vector<double>& y);
     void find_disc_state(const UnitProblem& problem, const std::vector<double>& y, std::size_t j, bool may_follow);
+    bool is_symmetric() const;
     double factor_of(const UnitRow& row, State state) const;
     void set_rho(const UnitProblem& problem, double rho);
     // Step size of the natural map that finds the states of the rows. With rho every small residual would look like
