@@ -217,12 +217,14 @@ TEST_CASE("a support that the body leaves is none: a light ball between heavy on
 // Of a light ball between heavy ones each impact loses little. As long as only the fastest one decided which others
 // count, they met at one instant until the limit on impacts.
 TEST_CASE("light balls between heavy ones that come to a stop do not meet for ever") {
-    for (const double epsilon : {0.3, 0.6, 0.8}) {
+    for (const double epsilon : {0.5, 0.6, 0.7, 0.8}) {
         ContactScene scene;
-        for (int i = 0; i < 5; ++i) {
-            const Vector3 speed = i == 0 ? Vector3::Zero() : Vector3(-3, 0, 0);
-            scene.add_ball(radius, {i * 2.001 * radius, 0, 0}, speed, {.friction = 0.0, .restitution = epsilon});
-            scene.world.bodies.back().inverse_mass *= i == 0 ? 1e-9 : i % 2 == 0 ? 0.004 : 1.0;
+        const Surface surface{.friction = 0.0, .restitution = epsilon};
+        scene.add_ground(surface);
+        for (int i = 0; i < 4; ++i) {
+            scene.add_ball(radius, {0, (1.0 + 2.001 * i) * radius, 0}, {0, -3, 0}, surface);
+            scene.world.bodies.back().inverse_mass *= i % 2 == 0 ? 1.0 : 0.004;
+            scene.world.bodies.back().linear_momentum /= i % 2 == 0 ? 1.0 : 0.004;
         }
         scene.build(Vector3::Zero());
         const double start = energy_of(scene.world);
@@ -234,10 +236,10 @@ TEST_CASE("light balls between heavy ones that come to a stop do not meet for ev
         }
         INFO("restitution " << epsilon << ", up to " << most << " impacts in a step");
         CHECK(most > 4);
-        CHECK(most < 350);
+        CHECK(most < 400);  // 238 to 318
         CHECK(energy_of(scene.world) < start);
-        for (std::size_t i = 1; i < scene.world.bodies.size(); ++i) {
-            const double apart = scene.world.bodies[i].position.x() - scene.world.bodies[i - 1].position.x();
+        for (std::size_t i = 2; i < scene.world.bodies.size(); ++i) {
+            const double apart = scene.world.bodies[i].position.y() - scene.world.bodies[i - 1].position.y();
             CHECK(apart > 2.0 * radius - 5e-4);
         }
     }
