@@ -25,8 +25,6 @@ constexpr double close_share = 0.01;
 // Steps without improvement before the method gives up; one whose residual is worse by this factor is the last.
 constexpr int most_changes_without_gain = 3;
 constexpr double diverged = 1e3;
-// Share of the tolerance at which nothing is left to gain.
-constexpr double far_below = 1e-3;
 // Rows that touch separate by rounding errors up to this share of the largest error of a row.
 constexpr double touching_share = 1e-9;
 
@@ -227,12 +225,11 @@ double ActiveSet::solve(const Elimination& order, const UnitProblem& problem, do
     int without_gain = 0;
     const bool any_known = std::any_of(y.begin(), y.end(), [](double force) { return force != 0.0; });
     touching_ = any_known ? 0.0 : touching_share * best_.residual();
-    // One extra iteration beyond the tolerance, unless it is far below: rounding-level forces keep a stack that is
+    // One extra iteration beyond the tolerance: the factor exists, and rounding-level forces keep a stack that is
     // not solved again for a minute from creeping.
     for (bool enough = false; !enough && count.iterations - before < changes &&
                               without_gain < most_changes_without_gain && effort.affords(most);) {
         enough = best_.residual() <= tolerance;
-        if (best_.residual() <= far_below * tolerance) break;
         const bool stayed = change(order, problem, y, effort, count);
         touching_ = 0.0;
         const bool better = look(problem, y, effort, count);
