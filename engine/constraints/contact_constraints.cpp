@@ -166,20 +166,22 @@ std::span<ContactConstraints::Contact> ContactConstraints::add_contacts(std::spa
     forces_.resize(force);  // zero if not cached
 
     const bool interleaved = choices_.order != RowOrder::normals_first;
-    const int count = static_cast<int>(order.size()), foreign_rows = row - own_rows_;
-    int friction = interleaved ? row + 1 : row + count;
+    const int begin = row, foreign_rows = row - own_rows_;
+    int friction = row + static_cast<int>(order.size());  // behind all normal rows
     for (const ContactIndex& index : order) {
         Contact& contact = contacts_.emplace_back();
         contact.touch = &touches[at(index.touch)];
         contact.point = index.point;
         contact.force = first_force_[at(index.touch)] + at(index.point);
         contact.foreign_rows = foreign_rows;
-        contact.normal_row = row;
-        contact.friction_row = friction_ ? friction : -1;
-        row += friction_ && interleaved ? 3 : 1;
-        friction += interleaved ? 3 : 2;
+        contact.normal_row = row++;
+        contact.friction_row = -1;
+        if (!has_friction(*contact.touch)) continue;
+        int& next = interleaved ? row : friction;
+        contact.friction_row = next;
+        next += 2;
     }
-    own_rows_ += count * (friction_ ? 3 : 1);
+    own_rows_ += (interleaved ? row : friction) - begin;
     return std::span(contacts_).last(order.size());
 }
 
@@ -209,8 +211,9 @@ void ContactConstraints::find_motions(const StepStart& step) {
 void ContactConstraints::append_touches(std::span<const collision::Touch> touches, ContactOrder& order,
                                         const StepStart& step, std::span<const Motion> paths, RowList& rows) {
     const std::span<const ContactIndex> in_order = order.put(choices_.order, touches, step.bodies, step.up);
+    const int before = own_rows_;
     const std::span<Contact> contacts = add_contacts(touches, in_order, static_cast<int>(rows.size()));
-    const std::span<ConstraintRow> all = rows.append(contacts.size() * (friction_ ? 3 : 1));
+    const std::span<ConstraintRow> all = rows.append(at(own_rows_ - before));
     share(step.threads, contacts.size(), contacts_of_a_part,
           [&](std::size_t begin, std::size_t end) { write_rows(contacts, begin, end, step, paths, all); });
 }
@@ -231,12 +234,12 @@ void ContactConstraints::write_rows(std::span<Contact> contacts, std::size_t beg
         const BodyPair pair{touch.body_a, touch.body_b, a_then ? *a_then : step.bodies[a],
                             b_then ? *b_then : step.bodies[b]};
         std::optional<TouchFriction> shared;
-        if (friction_) shared = friction_of(touch, pair, before_[a], before_[b], step);
+        if (has_friction(touch)) shared = friction_of(touch, pair, before_[a], before_[b], step);
         for (; i < end && contacts[i].touch == &touch; ++i) {
             Contact& contact = contacts[i];
             const PairPoint at(pair, touch.points[static_cast<std::size_t>(contact.point)].position);
             write_normal(contact, pair, at, step.dt, rows[static_cast<std::size_t>(contact.normal_row)]);
-            if (friction_) write_friction(contact, at, *shared, rows);
+            if (shared) write_friction(contact, at, *shared, rows);
         }
     }
 }
@@ -245,7 +248,7 @@ void ContactConstraints::append_impact_rows(const collision::Touch& touch, const
                                             const StepStart& step, RowList& rows) const {
     const Motion motion_a = motion_of(bodies.body_a), motion_b = motion_of(bodies.body_b);
     std::optional<TouchFriction> shared;
-    if (friction_) shared = friction_of(touch, bodies, motion_a, motion_b, step);
+    if (has_friction(touch)) shared = friction_of(touch, bodies, motion_a, motion_b, step);
     if (shared && !shared->bound.of_normal_force) shared->bound.limit *= step.dt;
     for (const collision::ContactPoint& point : touch.points) {
         const PairPoint place(bodies, point.position);

@@ -135,6 +135,7 @@ class ContactConstraints : public ConstraintSource {
     void write_rows(std::span<Contact> contacts, std::size_t begin, std::size_t end, const StepStart& step,
                     std::span<const Motion> paths, std::span<ConstraintRow> rows) const;
     bool closes_loop(const BodyPair& pair) const;
+    bool has_friction(const collision::Touch& touch) const { return friction_ && touch.friction > 0.0; }
     void write_normal(const Contact& contact, const BodyPair& pair, const PairPoint& at, double dt,
                       ConstraintRow& row) const;
     void write_friction(Contact& contact, const PairPoint& at, const TouchFriction& shared,

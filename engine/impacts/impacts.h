@@ -12,7 +12,7 @@
 //
 // Bodies that lie on something do not fall while they fly. Impacts that are slower than ImpactLimits say are
 // contacts, as everything is that rests. In a heap impacts with restitution below 1 would follow each other without
-// end: what is slower than a fifth of what the fastest impact of the pair in this step has lost is a contact, too.
+// end: what is slower than a hundredth of what the pair has lost in all its impacts of the step is a contact, too.
 //
 // Deviations: 8.2 adds the rebound to the push of the row, so that all impacts of a step are one (`paper` does
 // that, contact_row.h).

@@ -15,13 +15,9 @@ double asked_speed(const UnitProblem& problem) {
 
 namespace {
 
-// Active set steps at first, and after the interior point method. Near the solution a few are enough; more of them
-// rarely succeed if these do not.
-constexpr int first_changes = 6;
-constexpr int later_changes = 10;
-// Proximal points replace a second start of the interior point method if the effort covers so many changes: of 163
-// problems of loops on the ground that they solve half take at most 32, nine in ten 195. Limit on their changes.
-constexpr int usual_proximal_changes = 100;
+// Limit on active set steps: near the solution a few are enough, and more of them rarely succeed.
+constexpr int most_changes = 20;
+// Limit on those to proximal points.
 constexpr int most_proximal_changes = 1000;
 // Limit on interior point steps.
 constexpr int most_steps = 60;
@@ -86,7 +82,7 @@ void ExactAnswer::solve_without_contradiction(double tolerance, Effort& effort, 
             problem_.rows[j].t -= p_[j];
         }
         clamp(problem_, y_);
-        active_set_.solve(structure_->order, problem_, tolerance, later_changes, y_, effort, count);
+        active_set_.solve(structure_->order, problem_, tolerance, most_changes, y_, effort, count);
         for (std::size_t j = 0; j < p_.size(); ++j) problem_.rows[j].t += p_[j];
     }
     if (energy() > allowed) y_ = before;
@@ -110,21 +106,17 @@ bool ExactAnswer::solve(UnitRows& rows, double tolerance, double will_do, Effort
 bool ExactAnswer::settle(double tolerance, double will_do, Effort& effort, SolveCount& count) {
     const Elimination& order = structure_->order;
     const auto enough = [&] { return std::max(tolerance, rounding_of(problem_, y_)); };
-    double reached = active_set_.solve(order, problem_, tolerance, first_changes, y_, effort, count);
-    const double near = near_share * asked_speed(problem_);
-    const double by_points = usual_proximal_changes * (order.general_work() + problem_.assembly_work());
-    for (const double aim : {std::max(tolerance, near), tolerance}) {
-        if (reached <= enough()) return true;
-        interior_.solve(order, problem_, aim, most_steps, y_, effort, count);
-        reached = active_set_.solve(order, problem_, tolerance, later_changes, y_, effort, count);
-        if (!problem_.has_discs) continue;
-        if (reached <= will_do) return reached <= enough();
-        if (!effort.affords(by_points)) continue;
+    double reached = active_set_.solve(order, problem_, tolerance, most_changes, y_, effort, count);
+    if (reached <= enough()) return true;
+    const double near = std::max(tolerance, near_share * asked_speed(problem_));
+    interior_.solve(order, problem_, near, most_steps, y_, effort, count);
+    reached = active_set_.solve(order, problem_, tolerance, most_changes, y_, effort, count);
+    if (reached > std::max(enough(), will_do)) {
         reached = active_set_.solve_by_proximal_points(order, problem_, std::max(tolerance, will_do),
                                                        most_proximal_changes, y_, effort, count);
-        break;
     }
     if (reached <= enough()) return true;
+    if (reached <= will_do) return false;
     if (contradicts()) {
         count.contradicts = true;
         solve_without_contradiction(tolerance, effort, count);
