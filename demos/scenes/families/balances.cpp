@@ -1,19 +1,11 @@
 // What stands or falls by where its centre of mass is.
 #include "demos/scenes/families/pieces.h"
 
-#include <array>
-#include <cmath>
-
 namespace pushfactor::demos::families {
 
 namespace {
 
 using engine::Vector3;
-
-// Of planks, two thirds of whose places in a storey may stay empty.
-const Vector3 slat(1.0, 0.1, 0.3);  // m
-constexpr double slat_mass = 10.0;  // kg
-constexpr double within = 0.8;      // share of the support in which the centre of what is above it has to be
 
 // The harmonic overhang: the common centre of the k topmost blocks is over the edge of the block below if the k-th
 // of them is L / (2 k) farther out than that block. All blocks are at their limit together.
@@ -49,54 +41,6 @@ Prospect describe_seesaw(const ParameterValues& values, Random&) {
     return ends_by_limit(values, std::move(scene), Ends::slides, 12.0, "heavy");
 }
 
-using Storey = std::array<bool, 3>;  // which of three planks side by side are there
-
-// The two outer edges of the planks of a storey, across them [m].
-std::array<double, 2> support_of(const Storey& storey) {
-    double left = 0.0, right = 0.0;
-    for (std::size_t i = 3; i-- > 0;) left = storey[i] ? (static_cast<double>(i) - 1.5) * slat.z() : left;
-    for (std::size_t i = 0; i < 3; ++i) right = storey[i] ? (static_cast<double>(i) - 0.5) * slat.z() : right;
-    return {left, right};
-}
-
-// From the top down, planks are taken out where the centre of all that is above stays over those that remain.
-std::vector<Storey> take_out(int storeys, double share, Random& random) {
-    std::vector<Storey> all(static_cast<std::size_t>(storeys), Storey{true, true, true});
-    double count = 3.0;
-    std::array<double, 2> centre{};  // of what is above, times its number; along x, along z
-    for (std::size_t k = all.size() - 1; k-- > 0;) {
-        Storey storey;
-        for (bool& there : storey) there = random.in(0.0, 1.0) >= share;
-        const std::size_t across = k % 2 == 0 ? 1 : 0;  // even storeys lie along x
-        const auto [left, right] = support_of(storey);
-        const double middle = 0.5 * (left + right), above = centre[across] / count;
-        if (std::abs(above - middle) < within * 0.5 * (right - left)) all[k] = storey;
-        for (std::size_t i = 0; i < 3; ++i) {
-            if (!all[k][i]) continue;
-            count += 1.0;
-            centre[across] += (static_cast<double>(i) - 1.0) * slat.z();
-        }
-    }
-    return all;
-}
-
-Prospect describe_taken_out(const ParameterValues& values, Random& random) {
-    SceneDescription scene = on_ground(values);
-    const std::vector<Storey> all = take_out(values.whole("storeys"), values.number("taken"), random);
-    for (std::size_t k = 0; k < all.size(); ++k) {
-        const bool along_x = k % 2 == 0;
-        for (std::size_t i = 0; i < 3; ++i) {
-            if (!all[k][i]) continue;
-            const double beside = (static_cast<double>(i) - 1.0) * slat.z();
-            const double y = (static_cast<double>(k) + 0.5) * slat.y();
-            add_body(scene, "storey " + std::to_string(k + 1) + " plank " + std::to_string(i + 1),
-                     BoxShape{along_x ? slat : Vector3(slat.z(), slat.y(), slat.x())}, slat_mass,
-                     along_x ? Vector3(0, y, beside) : Vector3(beside, y, 0));
-        }
-    }
-    return standing(std::move(scene));
-}
-
 }  // namespace
 
 const Family overhang{
@@ -119,13 +63,5 @@ const Family seesaw{
      beyond_of(0.02, 0.2, "share of half the width that is left or exceeded"),
      friction_of(0.3, 1.0)},
     describe_seesaw};
-
-const Family taken_out{"taken-out",
-                       "Storeys of three planks, each across the one below, from which planks have been taken.",
-                       "Stands: what is above a storey has its centre over the planks that are left of it.",
-                       {{{"storeys", "N", "number of storeys", 0, 3, 40, true}, Draw::by_decades},
-                        {{"taken", "X", "share of the planks that are tried", 0, 0, 0.7}},
-                        friction_of(0.3, 1.0)},
-                       describe_taken_out};
 
 }  // namespace pushfactor::demos::families

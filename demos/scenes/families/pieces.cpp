@@ -34,6 +34,13 @@ Prospect standing(SceneDescription scene) {
     return {.scene = std::move(scene)};
 }
 
+Prospect comes_to_rest(const ParameterValues& values, SceneDescription scene, double height, double speed) {
+    look_at_all(scene);
+    const double falls = std::sqrt(2.0 * height / gravity);
+    const double slides = elementary::hypot(falls, speed / gravity) / values.number("friction");
+    return {.scene = std::move(scene), .ends = Ends::rests, .rest_by = 5.0 + 2.0 * falls + slides};
+}
+
 Prospect ends_by_limit(const ParameterValues& values, SceneDescription scene, Ends outside, double rest_by,
                        const std::string& leaving) {
     if (values.whole("inside") == 1) return standing(std::move(scene));
@@ -65,11 +72,6 @@ Quaternion turned(double angle) {
 
 Quaternion inclined(double angle) {
     return exponential(angle * Vector3::UnitZ());
-}
-
-double rest_by(double height, double friction, double speed) {
-    const double falls = std::sqrt(2.0 * height / gravity);
-    return 5.0 + 2.0 * falls + elementary::hypot(falls, speed / gravity) / friction;
 }
 
 void look_at_all(SceneDescription& scene) {

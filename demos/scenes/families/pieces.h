@@ -10,11 +10,11 @@
 
 namespace pushfactor::demos::families {
 
-extern const Family cubes, boxes, mixed, rods, plates, funnel;  // piles.cpp: dropped bodies
-extern const Family round_tower, square_tower, crossed;         // towers.cpp: planks
-extern const Family wall, wall_hit;                             // walls.cpp: bricks
-extern const Family pyramid, stacks, ball_on_cubes;             // blocks.cpp: structures of cubes and blocks
-extern const Family overhang, seesaw, taken_out;         // balances.cpp: what stands or falls by its centre of mass
+extern const Family cubes, boxes, mixed, rods, plates, funnel;      // piles.cpp: dropped bodies
+extern const Family round_tower, square_tower, crossed, taken_out;  // towers.cpp: planks
+extern const Family wall, wall_hit;                                 // walls.cpp: bricks
+extern const Family pyramid, stacks, ball_on_cubes;                 // blocks.cpp: structures of cubes and blocks
+extern const Family overhang, seesaw;                    // balances.cpp: what stands or falls by its centre of mass
 extern const Family card_house, dominoes, leaning_slab;  // cards.cpp: thin bodies that stand or lean
 extern const Family cut_column, arch;                    // wedges.cpp: polyhedra with faces that slope
 extern const Family net;                                 // nets.cpp: bars that hang
@@ -34,6 +34,10 @@ double more_than_limit(const ParameterValues& values);
 // A member that stands.
 Prospect standing(SceneDescription scene);
 
+// A member that comes to rest, after the time for a heap to settle, twice the time to fall from `height` [m], and
+// the sliding time of a body with the speed of that fall and the `speed` [m/s] at which it was thrown.
+Prospect comes_to_rest(const ParameterValues& values, SceneDescription scene, double height, double speed = 0.0);
+
 // Within its limit the member stands, else these bodies leave by the time `rest_by` [s].
 Prospect ends_by_limit(const ParameterValues& values, SceneDescription scene, Ends outside, double rest_by,
                        const std::string& leaving);
@@ -51,10 +55,6 @@ engine::Quaternion turned(double angle);
 engine::Quaternion inclined(double angle);
 
 using scenes::random_orientation;
-
-// Time [s] after which bodies that fall from `height` [m] are at rest: time for a heap to settle, twice the time to
-// fall, and the sliding time of a body with the speed of that fall and the `speed` [m/s] at which it was thrown.
-double rest_by(double height, double friction, double speed = 0.0);
 
 // Sets a camera with all movable bodies in the picture.
 void look_at_all(SceneDescription& scene);

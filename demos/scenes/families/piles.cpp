@@ -13,6 +13,7 @@ using engine::Vector3;
 
 constexpr double pitch = 0.75;  // m between the centres of dropped bodies, none of which is larger
 constexpr double cube = 0.4;    // m
+constexpr const char* dissipates = "Comes to rest: every impact takes energy and nothing gives any.";
 
 const FamilyParameter count{{"count", "N", "number of bodies", 0, 10, 5000, true}, Draw::by_decades};
 const FamilyParameter layers{{"layers", "N", "layers in which they start", 0, 2, 20, true}};
@@ -49,9 +50,8 @@ void add_mixed_box(SceneDescription& scene, int i, const Vector3& place, Random&
 
 // The last body is the highest; `speed` [m/s] is that at which it was thrown.
 Prospect dropped(SceneDescription scene, const ParameterValues& values, double speed = 0.0) {
-    look_at_all(scene);
-    const double rests = rest_by(scene.bodies.back().position.y(), values.number("friction"), speed);
-    return {.scene = std::move(scene), .ends = Ends::rests, .rest_by = rests};
+    const double height = scene.bodies.back().position.y();
+    return comes_to_rest(values, std::move(scene), height, speed);
 }
 
 // A pile of bodies, each added by `add` at its place.
@@ -136,13 +136,13 @@ Prospect describe_funnel(const ParameterValues& values, Random& random) {
 
 const Family cubes{"cubes",
                    "Equal cubes of 0.4 m, turned at random, are dropped in layers.",
-                   "Comes to rest: every impact takes energy and nothing gives any.",
+                   dissipates,
                    {count, layers, friction_of(0.1, 1.0)},
                    describe_cubes};
 
 const Family boxes{"boxes",
                    "Boxes with edges of 0.1 to 0.5 m and masses of 0.5 to 5 kg are dropped in layers.",
-                   "Comes to rest: every impact takes energy and nothing gives any.",
+                   dissipates,
                    {count, layers, friction_of(0.1, 1.0)},
                    describe_boxes};
 
@@ -154,7 +154,7 @@ const Family mixed{"mixed",
 
 const Family rods{"rods",
                   "Rods are thrown down on cubes that are dropped.",
-                  "Comes to rest: every impact takes energy and nothing gives any.",
+                  dissipates,
                   {{{"count", "N", "number of cubes", 0, 5, 1000, true}, Draw::by_decades},
                    layers,
                    {{"rods", "N", "number of rods", 0, 3, 500, true}, Draw::by_decades},
@@ -164,7 +164,7 @@ const Family rods{"rods",
 
 const Family plates{"plates",
                     "Plates of 0.3 to 0.5 m and 1000 kg/m^3 are dropped in layers, nearly flat.",
-                    "Comes to rest: every impact takes energy and nothing gives any.",
+                    dissipates,
                     {{{"count", "N", "number of plates", 0, 5, 1000, true}, Draw::by_decades},
                      layers,
                      {{"thickness", "M", "of a plate, m", 0, 0.02, 0.1}},

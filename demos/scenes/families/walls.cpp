@@ -45,9 +45,7 @@ Prospect describe_wall_hit(const ParameterValues& values, Random& random) {
     const double aim = random.in(0.4, 0.9) * height, aside = random.in(-0.2, 0.2);
     add_body(scene, "ball", SphereShape{radius}, values.number("mass"), {aside, std::max(aim, radius + 0.01), 1.0})
         .velocity = Vector3(0, 0, -values.number("speed"));
-    look_at_all(scene);
-    const double rests = rest_by(height, values.number("friction"), values.number("speed"));
-    return {.scene = std::move(scene), .ends = Ends::rests, .rest_by = rests};
+    return comes_to_rest(values, std::move(scene), height, values.number("speed"));
 }
 
 }  // namespace
