@@ -1,7 +1,7 @@
 // Paper section 10.3 and Figure 9: "a grid of 5 by 5 pendulums ... stable enough to hold various other shapes. Each
 // pendulum is attached only to one point in space by a bar. If enough force is applied to one of the spheres
 // resting on top it will push the pendulums to the side and fall through." The paper gives no numbers; with these
-// all five objects are held, and a steady force of 40 N (60 N here by default once asked for) presses one through.
+// all five objects are held, and a steady force of 40 N presses one through.
 #include "demos/scenes/named/named_scenes.h"
 #include "engine/world.h"
 

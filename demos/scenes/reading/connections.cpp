@@ -25,6 +25,7 @@ void describe(Fields& fields, engine::Motor& motor) {
     if (motor.servo) return describe(fields, *motor.servo);
     fields.must("speed_rad_per_s", motor.speed, between(-1e9, 1e9));
     fields.may("max_torque_n_m", motor.max_torque, &JsonReader::positive, std::isfinite(motor.max_torque));
+    if (fields.are_listed()) describe(fields, motor.servo.emplace());
 }
 
 void describe(Fields& fields, End& end) {
@@ -57,38 +58,21 @@ engine::AngleLimits read_limits(const JsonReader& json) {
 // Of a spring or a servo, which gives way; stiffness or damping must be above zero.
 template <typename Made>
 Made read_yielding(const JsonReader& json) {
-    Made made;
-    Fields fields(json);
-    describe(fields, made);
+    const auto made = read_object<Made>(json);
     if (std::max(made.stiffness, made.damping) < 1e-100) {
         json.refuse("given a stiffness or a damping from 1e-100 to 1e+100");
     }
     return made;
 }
 
-const Keys& joint_keys() {
-    static const Keys keys = joined({keys_of<JointDescription>(), keys_of<HingeDescription>()});
-    return keys;
-}
-
-const Keys& motor_keys() {
-    static const Keys keys = joined({keys_of<engine::Motor>(), keys_of<engine::Servo>()});
-    return keys;
-}
-
 engine::Motor read_motor(const JsonReader& json) {
-    json.require_object(motor_keys());
+    json.require_object(keys_of<engine::Motor>());
     if (json.has("target_angle_rad")) {
         refuse_if_given(json, {"speed_rad_per_s", "max_torque_n_m"}, "left out with target_angle_rad");
         return {.servo = read_yielding<engine::Servo>(json)};
     }
     refuse_if_given(json, {"stiffness_n_m_per_rad", "damping_n_m_s_per_rad"}, "given with target_angle_rad");
-    return read_object<engine::Motor>(json, motor_keys());
-}
-
-engine::Spring read_spring(const JsonReader& json) {
-    json.require_object(keys_of<engine::Spring>());
-    return read_yielding<engine::Spring>(json);
+    return read_object<engine::Motor>(json);
 }
 
 // At least one of the two ends must be on a movable body.
@@ -100,10 +84,6 @@ void require_ends(const JsonReader& json, const BodyNames& names) {
     if (is_static(a) && is_static(b)) json.at("b").at("body").refuse("a movable body, as a is static");
 }
 
-End read_end(const JsonReader& json) {
-    return read_object<End>(json);
-}
-
 void to_body_frame(End& end, const Polyhedra& polyhedra) {
     if (const FramedPolyhedron* const polyhedron = polyhedra.of(end.body))
         end.point = polyhedron->to_body(end.point);
@@ -112,12 +92,12 @@ void to_body_frame(End& end, const Polyhedra& polyhedra) {
 }  // namespace
 
 void describe(Fields& fields, DistanceDescription& distance) {
-    fields.must("a", distance.a, read_end);
-    fields.must("b", distance.b, read_end);
+    fields.must("a", distance.a, read_object<End>);
+    fields.must("b", distance.b, read_object<End>);
     fields.if_any("length_m", distance.length, &JsonReader::not_negative);
     fields.word("acts", distance.acts, act_names);
     fields.if_any("max_force_n", distance.max_force, &JsonReader::positive);
-    fields.if_any("spring", distance.spring, read_spring);
+    fields.if_any("spring", distance.spring, read_yielding<engine::Spring>);
 }
 
 void describe(Fields& fields, HingeDescription& hinge) {
@@ -130,10 +110,11 @@ void describe(Fields& fields, HingeDescription& hinge) {
 void describe(Fields& fields, JointDescription& joint) {
     std::string type = joint.hinge ? "hinge" : "ball";
     fields.must("type", type, &JsonReader::string);
-    fields.must("a", joint.a, read_end);
-    fields.must("b", joint.b, read_end);
+    fields.must("a", joint.a, read_object<End>);
+    fields.must("b", joint.b, read_object<End>);
     fields.if_any("collide", joint.collide, &JsonReader::boolean);
-    if (type == "hinge") describe(fields, joint.hinge ? *joint.hinge : joint.hinge.emplace());
+    if (type == "hinge" || fields.are_listed())
+        describe(fields, joint.hinge ? *joint.hinge : joint.hinge.emplace());
 }
 
 void describe(Fields& fields, ForceDescription& force) {
@@ -171,7 +152,7 @@ DistanceDescription read_distance(const JsonReader& json, const BodyNames& names
 }
 
 JointDescription read_joint(const JsonReader& json, const BodyNames& names, const Polyhedra& polyhedra) {
-    auto joint = read_object<JointDescription>(json, joint_keys());
+    auto joint = read_object<JointDescription>(json);
     require_ends(json, names);
     const std::string type = json.at("type").string();
     if (type == "ball") {
@@ -215,8 +196,8 @@ ForceDescription read_force(const JsonReader& json, const BodyNames& names, cons
 KeysByObject connection_keys() {
     return {{"distance_constraint", keys_of<DistanceDescription>()},
             {"spring", keys_of<engine::Spring>()},
-            {"joint", joint_keys()},
-            {"motor", motor_keys()},
+            {"joint", keys_of<JointDescription>()},
+            {"motor", keys_of<engine::Motor>()},
             {"end", keys_of<End>()},
             {"force", keys_of<ForceDescription>()}};
 }

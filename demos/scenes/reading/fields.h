@@ -84,6 +84,9 @@ class Fields {
     explicit Fields(Json& to) : to_(&to) {}
     explicit Fields(Keys& names) : names_(&names) {}
 
+    // Whether only the keys are listed: all that an object may have, of whatever kind it is.
+    bool are_listed() const { return names_ != nullptr; }
+
     // A key that must be given. `read`: a member of JsonReader, or a function of one.
     template <typename Value, typename Read>
     void must(const char* key, Value& value, const Read& read) {
@@ -154,16 +157,12 @@ inline Keys joined(std::initializer_list<Keys> lists) {
 }
 
 template <typename Object>
-Object read_object(const JsonReader& json, const Keys& known) {
-    json.require_object(known);
+Object read_object(const JsonReader& json) {
+    json.require_object(keys_of<Object>());
     Object object{};
     Fields fields(json);
     describe(fields, object);
     return object;
-}
-template <typename Object>
-Object read_object(const JsonReader& json) {
-    return read_object<Object>(json, keys_of<Object>());
 }
 
 template <typename Object>

@@ -50,7 +50,6 @@ JointDescription read_joint(const JsonReader& json, const BodyNames& names, cons
 ForceDescription read_force(const JsonReader& json, const BodyNames& names, const Polyhedra& polyhedra);
 void describe(Fields& fields, DistanceDescription& distance);
 void describe(Fields& fields, JointDescription& joint);
-void describe(Fields& fields, HingeDescription& hinge);  // keys of a joint too
 void describe(Fields& fields, ForceDescription& force);
 KeysByObject connection_keys();
 

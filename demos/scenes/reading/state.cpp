@@ -111,23 +111,13 @@ std::uint32_t read_feature(const JsonReader& json) {
     return static_cast<std::uint32_t>(whole_number(json, 0.0, std::numeric_limits<std::uint32_t>::max()));
 }
 
-// Bodies by their names.
-class BodyIndex {
-  public:
-    explicit BodyIndex(const SceneDescription& scene) {
-        for (const BodyDescription& body : scene.bodies) {
-            indices_.emplace(body.name, static_cast<int>(indices_.size()));
-        }
-    }
-    int of(const JsonReader& name) const {
-        const auto found = indices_.find(name.string());
-        if (found == indices_.end()) name.refuse("the name of a body");
-        return found->second;
-    }
+using BodyIndices = std::map<std::string, int>;  // by name
 
-  private:
-    std::map<std::string, int, std::less<>> indices_;
-};
+int index_of(const JsonReader& name, const BodyIndices& indices) {
+    const auto found = indices.find(name.string());
+    if (found == indices.end()) name.refuse("the name of a body");
+    return found->second;
+}
 
 // What earlier versions remembered of their solver, which changes nothing now: still has to be what they wrote.
 void check_memory(const JsonReader& json) {
@@ -138,11 +128,11 @@ void check_memory(const JsonReader& json) {
     if (json.has("force_rate_per_s")) json.at("force_rate_per_s").number(0.0, 1e300);
 }
 
-void check_warm_start(const JsonReader& json, const BodyIndex& indices) {
+void check_warm_start(const JsonReader& json, const BodyIndices& indices) {
     for (const JsonReader& entry : json.elements()) {
         entry.require_object(warm_start_keys);
         check_memory(entry);
-        for (const JsonReader& name : entry.at("bodies").elements()) indices.of(name);
+        for (const JsonReader& name : entry.at("bodies").elements()) index_of(name, indices);
     }
 }
 
@@ -188,11 +178,11 @@ const Keys& all_state_keys() {
 }
 
 std::vector<Rest::Memory> read_places(const JsonReader& json, const SceneDescription& scene,
-                                      const BodyIndex& indices) {
+                                      const BodyIndices& indices) {
     std::vector<Rest::Memory> memory(scene.bodies.size());
     for (const JsonReader& entry : json.elements()) {
         const auto place = read_object<Place>(entry);
-        const auto index = static_cast<std::size_t>(indices.of(entry.at("body")));
+        const auto index = static_cast<std::size_t>(index_of(entry.at("body"), indices));
         if (place.wide) continue;
         Rest::Memory& stay = memory[index];
         stay.position = place.position.value_or(scene.bodies[index].position);
@@ -212,13 +202,13 @@ bool moves(const BodyDescription& body) {
 }
 
 // Groups of bodies that came to rest together.
-void read_at_rest(const JsonReader& json, const SceneDescription& scene, const BodyIndex& indices,
+void read_at_rest(const JsonReader& json, const SceneDescription& scene, const BodyIndices& indices,
                   std::vector<Rest::Memory>& memory) {
     memory.resize(scene.bodies.size());
     for (const JsonReader& group : json.elements()) {
         int first = -1;
         for (const JsonReader& name : group.elements()) {
-            const int body = indices.of(name);
+            const int body = index_of(name, indices);
             const BodyDescription& described = scene.bodies[static_cast<std::size_t>(body)];
             if (!described.mass) name.refuse("the name of a movable body");
             if (moves(described)) name.refuse("a body without velocity and momentum");
@@ -228,11 +218,11 @@ void read_at_rest(const JsonReader& json, const SceneDescription& scene, const B
     }
 }
 
-ContactCache read_contact_forces(const JsonReader& json, const BodyIndex& indices) {
+ContactCache read_contact_forces(const JsonReader& json, const BodyIndices& indices) {
     ContactCache cache;
     for (const JsonReader& entry : json.elements()) {
         const auto contact = read_object<Contact>(entry);
-        const Pair pair{indices.of(entry.at("a")), indices.of(entry.at("b"))};
+        const Pair pair{index_of(entry.at("a"), indices), index_of(entry.at("b"), indices)};
         if (pair.a >= pair.b) entry.at("b").refuse("a body that is listed after a");
         if (!cache.entries().empty() && !(cache.entries().back().pair < pair)) {
             entry.refuse("a pair that comes after the one before, in the order of the bodies");
@@ -295,8 +285,12 @@ KeysByObject state_keys() {
 }
 
 RunState read_state(const JsonReader& json, const SceneDescription& scene) {
-    auto state = read_object<RunState>(json, all_state_keys());
-    const BodyIndex indices(scene);
+    json.require_object(all_state_keys());
+    RunState state;
+    Fields fields(json);
+    describe(fields, state);
+    BodyIndices indices;
+    for (const BodyDescription& body : scene.bodies) indices.emplace(body.name, static_cast<int>(indices.size()));
     check_memory(json);
     if (json.has("warm_start")) check_warm_start(json.at("warm_start"), indices);
     state.distance_forces.resize(scene.distances.size());
