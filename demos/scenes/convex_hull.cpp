@@ -92,16 +92,15 @@ class Grid {
     bool is_above(const Triangle& triangle, int point) const {
         const Place a = way(triangle[0], triangle[1]), b = way(triangle[0], triangle[2]),
                     c = way(triangle[0], point);
-        return times(minor(a, b, 1, 2), c[0]) + times(minor(a, b, 2, 0), c[1]) + times(minor(a, b, 0, 1), c[2]) > 0;
+        return minor(a, b, 1, 2) * c[0] + minor(a, b, 2, 0) * c[1] + minor(a, b, 0, 1) * c[2] > 0;
     }
 
   private:
     using Place = std::array<std::int64_t, 3>;
     __extension__ using Wide = __int128;
 
-    static Wide times(Wide a, std::int64_t b) { return a * b; }
     static Wide minor(const Place& a, const Place& b, std::size_t i, std::size_t j) {
-        return times(a[i], b[j]) - times(a[j], b[i]);
+        return Wide{a[i]} * b[j] - Wide{a[j]} * b[i];
     }
     Place way(int from, int to) const {
         const Place &a = places_[static_cast<std::size_t>(from)], &b = places_[static_cast<std::size_t>(to)];
@@ -134,12 +133,20 @@ std::vector<Triangle> triangulated_hull(std::span<const Vector3> points, const E
     return hull;
 }
 
-// Numbers the faces: triangles that lie in one plane have the same. Large ones decide first where a plane lies.
-std::vector<int> merge(std::span<const Vector3> points, const std::vector<Triangle>& triangles, double tolerance) {
-    std::map<std::pair<int, int>, std::size_t> by_edge;
+// Triangles by their edges, which go counter-clockwise about them.
+using Edges = std::map<std::pair<int, int>, std::size_t>;
+
+Edges edges_of(const std::vector<Triangle>& triangles) {
+    Edges edges;
     for (std::size_t t = 0; t < triangles.size(); ++t) {
-        for (std::size_t k = 0; k < 3; ++k) by_edge[{triangles[t][k], triangles[t][(k + 1) % 3]}] = t;
+        for (std::size_t k = 0; k < 3; ++k) edges[{triangles[t][k], triangles[t][(k + 1) % 3]}] = t;
     }
+    return edges;
+}
+
+// Numbers the faces: triangles that lie in one plane have the same. Large ones decide first where a plane lies.
+std::vector<int> merge(std::span<const Vector3> points, const std::vector<Triangle>& triangles, const Edges& edges,
+                       double tolerance) {
     const auto normal = [&](std::size_t t) -> Vector3 {
         const auto& [a, b, c] = triangles[t];
         return (at(points, b) - at(points, a)).cross(at(points, c) - at(points, a));
@@ -166,9 +173,8 @@ std::vector<int> merge(std::span<const Vector3> points, const std::vector<Triang
             const Triangle& triangle = triangles[open.back()];
             open.pop_back();
             for (std::size_t k = 0; k < 3; ++k) {
-                const auto beside = by_edge.find({triangle[(k + 1) % 3], triangle[k]});
-                if (beside == by_edge.end() || face[beside->second] >= 0 || !lies_in_plane(beside->second))
-                    continue;
+                const auto beside = edges.find({triangle[(k + 1) % 3], triangle[k]});
+                if (beside == edges.end() || face[beside->second] >= 0 || !lies_in_plane(beside->second)) continue;
                 face[beside->second] = count;
                 open.push_back(beside->second);
             }
@@ -178,24 +184,19 @@ std::vector<int> merge(std::span<const Vector3> points, const std::vector<Triang
     return face;
 }
 
-// The outline of each face.
-std::vector<std::vector<int>> outlines(const std::vector<Triangle>& triangles, const std::vector<int>& face) {
-    const auto count = static_cast<std::size_t>(*std::max_element(face.begin(), face.end()) + 1);
-    std::vector<std::map<int, int>> next(count);  // by face: the corner after a corner
-    std::map<std::pair<int, int>, int> face_at;
-    for (std::size_t t = 0; t < triangles.size(); ++t) {
-        for (std::size_t k = 0; k < 3; ++k) face_at[{triangles[t][k], triangles[t][(k + 1) % 3]}] = face[t];
-    }
-    std::map<int, std::set<int>> faces_of;  // by corner
-    for (const auto& [edge, here] : face_at) {
-        const auto beyond = face_at.find({edge.second, edge.first});
-        if (beyond != face_at.end() && beyond->second == here) continue;
-        next[static_cast<std::size_t>(here)][edge.first] = edge.second;
+// The outline of each face; `face`: by triangle.
+std::vector<std::vector<int>> outlines(const Edges& edges, const std::vector<int>& face) {
+    std::map<int, std::map<int, int>> next;  // by face: the corner after a corner
+    std::map<int, std::set<int>> faces_of;   // by corner
+    for (const auto& [edge, triangle] : edges) {
+        const int here = face[triangle];
+        const auto beyond = edges.find({edge.second, edge.first});
+        if (beyond != edges.end() && face[beyond->second] == here) continue;
+        next[here][edge.first] = edge.second;
         faces_of[edge.first].insert(here);
     }
     std::vector<std::vector<int>> loops;
-    for (const std::map<int, int>& corners : next) {
-        if (corners.empty()) continue;
+    for (const auto& [number, corners] : next) {
         std::vector<int> loop;
         int corner = corners.begin()->first;
         for (std::size_t i = 0; i < corners.size() && corners.contains(corner); ++i) {
@@ -214,7 +215,8 @@ ConvexHull convex_hull(std::span<const Vector3> points) {
     const double tolerance = std::min(in_one_plane * extent.length, plane_of_thin * extent.thickness);
     const std::vector<Triangle> triangles = triangulated_hull(points, extent);
     ConvexHull hull;
-    hull.faces = outlines(triangles, merge(points, triangles, tolerance));
+    const Edges edges = edges_of(triangles);
+    hull.faces = outlines(edges, merge(points, triangles, edges, tolerance));
 
     std::map<int, int> number;  // of a corner in the hull
     for (const std::vector<int>& face : hull.faces) {

@@ -83,10 +83,8 @@ Swing advance(const BallOnBar& pendulum, Swing swing, double time, int steps) {
 }
 
 double centre_angle(const BallOnBar& pendulum, const Swing& swing) {
-    const double l = pendulum.length;
-    const double r = pendulum.radius;
-    return elementary::atan2(l * elementary::sin(swing.a) + r * elementary::sin(swing.b),
-                             l * elementary::cos(swing.a) + r * elementary::cos(swing.b));
+    const double below = pendulum.length * elementary::cos(swing.a) + pendulum.radius * elementary::cos(swing.b);
+    return elementary::atan2(aside(pendulum, swing), below);
 }
 
 double period(const BallOnBar& pendulum, double amplitude) {
