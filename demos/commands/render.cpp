@@ -166,7 +166,7 @@ void render_job(Job& job, const Render& request, std::optional<pictures::Offscre
                     {.film = film ? &*film : nullptr, .replay = recorded.replay ? &*recorded.replay : nullptr},
                     times);
     });
-    write_file(summary, summary_of(recorded.session, recorded.finish(), offscreen ? offscreen->driver() : ""));
+    write_file(summary, summary_text(recorded.session, recorded.finish(), offscreen ? offscreen->driver() : ""));
     say(recorded.recorder.warnings());
 }
 

@@ -79,7 +79,7 @@ void carry_out(const Run& request) {
         });
         bar.show(steps);
     });
-    const std::string summary = recorded.finish().front();
+    const std::string summary = json_text(recorded.finish().front());
     const std::vector<std::string> data = files.all();
     const bool data_on_stdout = std::ranges::find(data, named_descriptor("-"), named_descriptor) != data.end();
     if (request.summary || !data_on_stdout) write_file(request.summary.value_or("-"), summary);

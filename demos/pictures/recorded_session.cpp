@@ -27,7 +27,7 @@ void RecordedSession::play(const std::function<void()>& work) {
     }
 }
 
-std::vector<std::string> RecordedSession::finish() {
+std::vector<Json> RecordedSession::finish() {
     if (replay) replay->finish();
     return recorder.finish();
 }

@@ -8,7 +8,6 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace pushfactor::demos::pictures {
@@ -21,7 +20,7 @@ struct RecordedSession {
     void play(const std::function<void()>& work);
 
     // Completes the files and returns the summaries of the runs.
-    std::vector<std::string> finish();
+    std::vector<Json> finish();
 
     Session session;
     Recorder recorder;

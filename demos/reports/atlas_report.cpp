@@ -230,7 +230,7 @@ CellResult atlas::run_cell(const AtlasCell& cell, const StopCheck& check) {
     Measurements measurements(run);
     const bool finite = play_to_end(run, check, measurements);
     // The summary may have no such number, as a drift after 10 s in a shorter run.
-    const Json summary = parse_json(summary_text(choices, run, measurements));
+    const Json summary = summary_of(choices, run, measurements);
     const auto number = summary.find(cell.measure);
     const bool has_number = number != summary.end() && number->is_number();
     return {std::string(finite ? name_of(measurements.outcome()) : non_finite),

@@ -3,7 +3,6 @@
 #include "demos/base/platform/output_file.h"
 #include "demos/base/platform/version.h"
 #include "demos/base/text/errors.h"
-#include "demos/base/text/json.h"
 #include "demos/runs/summary.h"
 #include "demos/scenes/scene_file.h"
 
@@ -68,12 +67,12 @@ std::string Recorder::failed(std::size_t panel) {
     }
 }
 
-std::vector<std::string> Recorder::finish() {
+std::vector<Json> Recorder::finish() {
     for (const auto& record : records_) record->finish();
     if (save_state_) write_file(*save_state_, state_text(0, session_.run(0).checkpoint()));
-    std::vector<std::string> summaries;
+    std::vector<Json> summaries;
     for (std::size_t panel = 0; panel < session_.size(); ++panel) {
-        summaries.push_back(summary_text(choices(panel), session_.run(panel), measurements_[panel]));
+        summaries.push_back(summary_of(choices(panel), session_.run(panel), measurements_[panel]));
     }
     return summaries;
 }
@@ -97,14 +96,13 @@ std::string Recorder::warnings() const {
     return text;
 }
 
-std::string summary_of(const Session& session, const std::vector<std::string>& summaries,
-                       const std::string& driver) {
+std::string summary_text(const Session& session, const std::vector<Json>& summaries, const std::string& driver) {
     Json summary;
     if (summaries.size() == 1) {
-        summary = parse_json(summaries.front());
+        summary = summaries.front();
     } else {
         summary["compare"] = session.choices(0).frames.compare->option;
-        for (const std::string& each : summaries) summary["panels"].push_back(parse_json(each));
+        summary["panels"] = summaries;
     }
     summary["made_with"] = {{"program", version_text()}};
     if (!driver.empty()) summary["made_with"]["driver"] = driver;

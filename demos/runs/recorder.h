@@ -1,6 +1,7 @@
 // The measurements and files of a session.
 #pragma once
 
+#include "demos/base/text/json.h"
 #include "demos/runs/measurements.h"
 #include "demos/runs/records.h"
 #include "demos/runs/session.h"
@@ -43,7 +44,7 @@ class Recorder : public Observer {
     std::string failed(std::size_t panel) override;
 
     // Completes the files and returns the summaries of the runs.
-    std::vector<std::string> finish();
+    std::vector<Json> finish();
 
     // Completes the files of a session that stopped early, with the steps so far. Returns a note per file, or the
     // reason why it could not be written. Throws nothing.
@@ -65,9 +66,8 @@ class Recorder : public Observer {
     long last_recorded_ = 0;  // step; a non-finite one is not recorded
 };
 
-// The summary of a session as JSON, with program and driver: what drew (OffscreenRenderer::driver()), empty if
-// nothing was drawn.
-std::string summary_of(const Session& session, const std::vector<std::string>& summaries,
-                       const std::string& driver);
+// The summary of a session as the text of a file, with program and driver: what drew (OffscreenRenderer::driver()),
+// empty if nothing was drawn.
+std::string summary_text(const Session& session, const std::vector<Json>& summaries, const std::string& driver);
 
 }  // namespace pushfactor::demos

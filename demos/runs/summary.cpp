@@ -1,6 +1,5 @@
 #include "demos/runs/summary.h"
 
-#include "demos/base/text/json.h"
 #include "demos/options/named_run.h"
 #include "demos/options/simulation_options.h"
 #include "demos/runs/session.h"
@@ -63,7 +62,7 @@ bool gives_listed_bits() {
     return gives;
 }
 
-std::string summary_text(const Choices& choices, const Simulation& simulation, const Measurements& measured) {
+Json summary_of(const Choices& choices, const Simulation& simulation, const Measurements& measured) {
     const BuiltScene& scene = simulation.scene();
     Json summary;
     summary["scene"] = scene.name;
@@ -112,7 +111,7 @@ std::string summary_text(const Choices& choices, const Simulation& simulation, c
     if (measured.measured()) summary["measured"] = measured_of(*measured.measured());
     for (const auto& [name, value] : measured.of_scene()) summary[name] = number_or_null(value);
     if (scene.standing) summary["heights_m"] = measured.heights();
-    return json_text(summary);
+    return summary;
 }
 
 namespace {

@@ -1,6 +1,7 @@
-// What is said of a run: its summary as JSON text, and warnings.
+// What is said of a run: its summary, and warnings.
 #pragma once
 
+#include "demos/base/text/json.h"
 #include "demos/options/choices.h"
 #include "demos/runs/measurements.h"
 
@@ -9,7 +10,7 @@
 
 namespace pushfactor::demos {
 
-std::string summary_text(const Choices& choices, const Simulation& simulation, const Measurements& measured);
+Json summary_of(const Choices& choices, const Simulation& simulation, const Measurements& measured);
 
 // State hash after one second of `intersecting-stack --preset paper`, from tests/hashes/lines.txt.
 inline constexpr std::uint64_t touchstone = 0x7651e1c33b425dc8;

@@ -162,7 +162,7 @@ FolderVerdict check_folder(const Expectation& expected, const Rules& rules, cons
     verdict.pictures = verdicts.all();
     add_missing(sequence, verdict.pictures);
     verdict.unexpected = expected.unexpected();
-    const std::string summary = summary_of(session, recorder.finish(), offscreen.driver());
+    const std::string summary = summary_text(session, recorder.finish(), offscreen.driver());
     for (RunVerdict& one : compare_runs(expected, parse_json(summary), rules.physics && !rules.trajectory)) {
         verdict.runs.push_back(std::move(one));
     }

@@ -215,7 +215,7 @@ OptionTexts options_of(const GridRequest& request) {
 void require_measure(const std::string& measure, const GridRequest& request, const OptionTexts& options) {
     const Choices choices = run_of(request.scene, options);
     const Simulation start(choices);
-    const Json summary = parse_json(summary_text(choices, start, Measurements(start)));
+    const Json summary = summary_of(choices, start, Measurements(start));
     std::vector<std::string> numbers;
     for (const auto& [name, value] : summary.items()) {
         if (value.is_number() || value.is_null()) numbers.push_back(name);
