@@ -1,6 +1,7 @@
 #include "demos/runs/measurements.h"
 
 #include "demos/base/text/errors.h"
+#include "demos/runs/stretch.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -131,7 +132,6 @@ Measurements::Measurements(const Simulation& simulation, const std::vector<std::
       corners_(corners_of(simulation.scene())),
       held_(held_in(simulation.scene())),
       obstacles_(simulation.scene()),
-      stretch_(simulation.scene()),
       measured_errors_(simulation.scene()) {
     if (!measured_errors_.empty()) measured_.emplace();
     if (wanted) {
@@ -155,7 +155,7 @@ Measurements::Measurements(const Simulation& simulation, const std::vector<std::
     max_penetration_ = sample.penetration.max;
     max_kinetic_energy_ = sample.kinetic_energy;
     max_speed_ = sample.max_speed;
-    start_stretch_ = stretch_.worst(simulation.scene());
+    start_stretch_ = worst_stretch(simulation.scene());
     for_movable(simulation.scene().world.bodies, [&](const Body& body, std::size_t) {
         falling_energy_ += 0.5 * speed_ * speed_ / body.inverse_mass;
     });
@@ -194,7 +194,7 @@ void Measurements::observe(const Simulation& simulation) {
     energy_gain_ = std::max(energy_gain_, sample.energy_gain);
     max_kinetic_energy_ = std::max(max_kinetic_energy_, sample.kinetic_energy);
     max_speed_ = std::max(max_speed_, sample.max_speed);
-    const double stretch = stretch_.worst(simulation.scene());
+    const double stretch = worst_stretch(simulation.scene());
     max_stretch_ = std::max(max_stretch_, stretch);
     max_penetration_ = std::max(max_penetration_, sample.penetration.max);
     max_length_error_ = std::max(max_length_error_, sample.max_length_error);
@@ -210,7 +210,7 @@ void Measurements::observe(const Simulation& simulation) {
         if (at_10_s_) drift_ = std::max(drift_, (latest_[i] - (*at_10_s_)[i]).norm());
     });
     if (!at_10_s_ && sample.time >= 10.0) at_10_s_ = latest_;
-    if (standing_) watch_standing(sample.time, latest_);
+    if (standing_) watch_standing(sample.time);
     if (scene_measure_ && makes_scene_measure_) scene_measure_->observe(simulation.scene().world);
 
     remember(judge(simulation, stretch), sample.step);
@@ -233,11 +233,11 @@ void Measurements::remember(const Moment& moment, long step) {
     last.positions = moment.positions;
 }
 
-void Measurements::watch_standing(double time, const Positions& positions) {
+void Measurements::watch_standing(double time) {
     const double half_side = 0.5 * standing_->side;
-    for (std::size_t i = 0; i < positions.size(); ++i) {
-        if (!fall_time_ && positions[i].y() < lowest_place(i) - half_side) fall_time_ = time;
-        if (!lean_time_ && sideways(start_[i], positions[i]) > half_side) lean_time_ = time;
+    for (std::size_t i = 0; i < latest_.size(); ++i) {
+        if (!fall_time_ && latest_[i].y() < lowest_place(i) - half_side) fall_time_ = time;
+        if (!lean_time_ && sideways(start_[i], latest_[i]) > half_side) lean_time_ = time;
     }
 }
 

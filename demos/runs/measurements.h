@@ -5,7 +5,6 @@
 #include "demos/runs/measured_errors.h"
 #include "demos/runs/obstacles.h"
 #include "demos/runs/simulation.h"
-#include "demos/runs/stretch.h"
 
 #include <deque>
 #include <map>
@@ -136,7 +135,7 @@ class Measurements {
     void add_counts(const Sample& sample);
     void remember(const Moment& moment, long step);
     Moment judge(const Simulation& simulation, double stretch) const;
-    void watch_standing(double time, const Positions& positions);
+    void watch_standing(double time);
     bool flies(const engine::World& world, const engine::Body& body, std::size_t i) const;
     bool strayed(std::size_t i, const engine::Vector3& position) const;
     double lowest_place(std::size_t i) const;  // m, the lower of start and rest height
@@ -155,7 +154,6 @@ class Measurements {
     std::vector<bool> held_;       // movable bodies, by a distance
     Obstacles obstacles_;
     bool passed_ = false;  // an obstacle has been, by any body
-    Stretch stretch_;
     std::optional<Positions> at_10_s_;
     std::deque<Moment> window_;  // moments of the last second, and the one before
 

@@ -4,7 +4,6 @@
 #include "engine/collision/polyhedron.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace pushfactor::demos {
 
@@ -44,19 +43,23 @@ double distance_to_way(const Vector3& point, const Vector3& from, const Vector3&
 
 }  // namespace
 
-void Obstacles::follow(const BuiltScene& scene) {
-    if (!scene.world.moves_any()) return;
-    const std::vector<Obstacle> before = std::exchange(all_, {});
-    list(scene);
-    for (std::size_t i = 0; i < before.size(); ++i) all_[i].before = before[i].now;
+Obstacles::Pose Obstacles::pose_of(const engine::Body& body) {
+    return {body.position, body.orientation.conjugate().toRotationMatrix()};
 }
 
-void Obstacles::list(const BuiltScene& scene) {
+Obstacles::Obstacles(const BuiltScene& scene) {
     if (!scene.contacts) return;
     for (const auto& collider : scene.contacts->colliders()) {
         const engine::Body& body = scene.world.bodies[static_cast<std::size_t>(collider.body)];
-        const Pose pose{body.position, body.orientation.conjugate().toRotationMatrix()};
-        if (body.is_static()) all_.push_back({pose, pose, collider.shape});
+        if (body.is_static()) all_.push_back({collider.body, pose_of(body), pose_of(body), collider.shape});
+    }
+}
+
+void Obstacles::follow(const BuiltScene& scene) {
+    if (!scene.world.moves_any()) return;
+    for (Obstacle& obstacle : all_) {
+        obstacle.before = obstacle.now;
+        obstacle.now = pose_of(scene.world.bodies[static_cast<std::size_t>(obstacle.body)]);
     }
 }
 

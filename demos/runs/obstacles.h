@@ -9,7 +9,7 @@ namespace pushfactor::demos {
 
 class Obstacles {
   public:
-    explicit Obstacles(const BuiltScene& scene) { list(scene); }
+    explicit Obstacles(const BuiltScene& scene);
     // After each step, if any body has a path.
     void follow(const BuiltScene& scene);
 
@@ -29,11 +29,12 @@ class Obstacles {
         engine::Vector3 in_frame(const engine::Vector3& point) const { return from_world * (point - centre); }
     };
     struct Obstacle {
+        int body = 0;
         Pose before, now;
         engine::collision::Shape shape;
     };
 
-    void list(const BuiltScene& scene);
+    static Pose pose_of(const engine::Body& body);
 
     std::vector<Obstacle> all_;
 };

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "demos/options/settings.h"
-#include "demos/scenes/run_state.h"
 #include "demos/scenes/scene_description.h"
 #include "engine/constraints/contact_constraints.h"
 #include "engine/forces/poke.h"
@@ -31,7 +30,6 @@ struct BuiltScene {
     std::vector<engine::collision::Pair> no_contacts;  // bodies that do not touch, beside those of groups (a < b)
 
     std::optional<double> parts_before{};  // of a resumed run
-    std::optional<int> static_body{};      // of the world, for what hangs on "world"; made when it is needed first
 
     std::vector<BodyDescription> bodies;  // as described, in the order of the world's first bodies
     View view;

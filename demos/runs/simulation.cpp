@@ -38,11 +38,6 @@ bool wants_kick(const BuiltScene& scene, const Settings& settings) {
     return at_rest && !scene.contacts;
 }
 
-StepDivision division_of(const BuiltScene& scene, const Settings& settings) {
-    if (settings.substeps) return StepDivision(*settings.substeps);
-    return StepDivision(step_rules(scene), scene.parts_before.value_or(0.0));
-}
-
 // Index of the body with the largest number in its state; the first of several.
 std::size_t most_extreme(std::span<const engine::Body> bodies) {
     const auto extreme = [](const engine::Body& body) {

@@ -35,6 +35,11 @@ std::vector<StepRule> step_rules(const BuiltScene& scene) {
     return rules;
 }
 
+StepDivision division_of(const BuiltScene& scene, const Settings& settings) {
+    if (settings.substeps) return StepDivision(*settings.substeps);
+    return StepDivision(step_rules(scene), scene.parts_before.value_or(0.0));
+}
+
 int StepDivision::parts() const {
     return std::max(whole(level_), 1);
 }

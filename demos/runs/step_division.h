@@ -59,4 +59,7 @@ class StepDivision {
     bool short_ = false;
 };
 
+// That of a run of the scene, which may be a resumed one.
+StepDivision division_of(const BuiltScene& scene, const Settings& settings);
+
 }  // namespace pushfactor::demos

@@ -28,6 +28,7 @@ double radius_of(const BuiltScene& scene, int body) {
     return index < scene.bodies.size() ? bounding_radius(scene.bodies[index]) : 0.0;
 }
 
+// m; 0 leaves it out.
 double scale_of(const Distance& distance, const BuiltScene& scene) {
     if (std::isfinite(distance.max_force) || distance.spring) return 0.0;
     if (distance.length > 0.0) return distance.length;
@@ -40,16 +41,11 @@ double scale_of(const engine::Joint& joint, const BuiltScene& scene) {
 
 }  // namespace
 
-Stretch::Stretch(const BuiltScene& scene) {
-    each_held(scene, [&](const auto& held) { scale_.push_back(scale_of(held, scene)); });
-}
-
-double Stretch::worst(const BuiltScene& scene) const {
+double worst_stretch(const BuiltScene& scene) {
     double worst = 0.0;
-    auto scale = scale_.begin();
     each_held(scene, [&](const auto& held) {
-        const double own = *scale++;
-        if (own > 0.0) worst = std::max(worst, error_of(held, scene.world.bodies) / own);
+        const double scale = scale_of(held, scene);
+        if (scale > 0.0) worst = std::max(worst, error_of(held, scene.world.bodies) / scale);
     });
     return worst;
 }

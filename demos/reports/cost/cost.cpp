@@ -209,8 +209,7 @@ void PhaseClock::end(std::size_t stage) {
 Walk::Walk(const Choices& moment)
     : scene_(build_scene(moment)),
       dt_(moment.settings.dt.value()),
-      division_(moment.settings.substeps ? StepDivision(*moment.settings.substeps)
-                                         : StepDivision(step_rules(scene_), scene_.parts_before.value_or(0.0))) {
+      division_(division_of(scene_, moment.settings)) {
     go(steps_before);
 }
 

@@ -12,12 +12,11 @@ namespace {
 using engine::Body;
 using engine::Vector3;
 
-int index_of_static_body(BuiltScene& scene) {
-    if (!scene.static_body) {
-        scene.static_body = static_cast<int>(scene.world.bodies.size());
-        scene.world.bodies.push_back(engine::static_body(Vector3::Zero()));
-    }
-    return *scene.static_body;
+// The static body for what hangs on "world": the one after those of the scene, added when it is needed first.
+int index_of_world(BuiltScene& scene) {
+    const std::size_t described = scene.bodies.size();
+    if (scene.world.bodies.size() == described) scene.world.bodies.push_back(engine::static_body(Vector3::Zero()));
+    return static_cast<int>(described);
 }
 
 // Without a length it is what it is at the start, and a ball joint where the points are meant to be one: a number
@@ -54,7 +53,7 @@ template <typename Described, typename Held>
 void join(BuiltScene& scene, const SceneDescription& description, const Described& described, const char* what,
           Held& held) {
     const auto body_index = [&](const std::string& name) {
-        return name == "world" ? index_of_static_body(scene) : index_of(name, description);
+        return name == "world" ? index_of_world(scene) : index_of(name, description);
     };
     held.body_a = body_index(described.a.body);
     held.body_b = body_index(described.b.body);
