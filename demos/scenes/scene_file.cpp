@@ -36,11 +36,7 @@ void describe(Fields& fields, MaterialPairDescription& pair) {
 }
 
 void describe(Fields& fields, Standing& standing) {
-    const auto heights = [](const JsonReader& json) {
-        std::vector<double> list;
-        for (const JsonReader& height : json.elements()) list.push_back(height.number(-1e9, 1e9));
-        return list;
-    };
+    const auto heights = [](const JsonReader& json) { return read_each(json, between(-1e9, 1e9)); };
     fields.must("side_m", standing.side, between(1e-50, 1e50));
     fields.must("rest_heights_m", standing.rest_heights, heights);
 }
@@ -140,9 +136,7 @@ void describe(Fields& fields, SceneDescription& scene, const std::filesystem::pa
     // The entries of a list; `read` gets what has been read of the scene so far.
     const auto each = [&](const auto& read) {
         return [&](const JsonReader& json) {
-            std::vector<decltype(read(json, names, polyhedra))> list;
-            for (const JsonReader& entry : json.elements()) list.push_back(read(entry, names, polyhedra));
-            return list;
+            return read_each(json, [&](const JsonReader& entry) { return read(entry, names, polyhedra); });
         };
     };
     int version = scene_file_version;

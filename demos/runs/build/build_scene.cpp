@@ -52,10 +52,9 @@ Body make_body(const BodyDescription& described) {
 }
 
 std::unique_ptr<const engine::Path> make_path(const BodyDescription& described) {
-    engine::Place start{described.position, described.orientation};
+    const engine::Place start{described.position, described.orientation};
     const MotionDescription& motion = *described.motion;
-    engine::PathTimes times{.from = motion.from};
-    if (motion.until) times.until = *motion.until;
+    const engine::PathTimes times{.from = motion.from, .until = motion.until.value_or(engine::infinity)};
     return std::visit(
         engine::Overloaded{
             [&](const SteadyMotion& steady) -> std::unique_ptr<const engine::Path> {
@@ -95,14 +94,14 @@ void add_forces(BuiltScene& scene, const SceneDescription& description) {
         scene.world.forces.push_back(std::make_unique<engine::Gravity>(description.gravity));
     }
     for (const ForceDescription& force : description.forces) {
-        engine::Poke poke{.body = index_of(force.body, description),
-                          .force = force.force,
-                          .torque = force.torque,
-                          .point = force.point,
-                          .frame = force.frame,
-                          .from = force.from};
-        if (force.until) poke.until = *force.until;
-        auto source = std::make_unique<engine::PokeForce>(poke);
+        auto source =
+            std::make_unique<engine::PokeForce>(engine::Poke{.body = index_of(force.body, description),
+                                                             .force = force.force,
+                                                             .torque = force.torque,
+                                                             .point = force.point,
+                                                             .frame = force.frame,
+                                                             .from = force.from,
+                                                             .until = force.until.value_or(engine::infinity)});
         scene.pokes.push_back(source.get());
         scene.world.forces.push_back(std::move(source));
     }

@@ -103,7 +103,7 @@ void add_distances(BuiltScene& scene, const SceneDescription& description, const
         distance.length = length_of(described, distance, scene.world.bodies);
         require_length(described, distance);
         distance.acts = described.acts;
-        if (described.max_force) distance.max_force = *described.max_force;
+        distance.max_force = described.max_force.value_or(engine::infinity);
         distance.spring = described.spring;
         distances.push_back(distance);
     }

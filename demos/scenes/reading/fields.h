@@ -165,10 +165,11 @@ Object read_object(const JsonReader& json) {
     return object;
 }
 
-template <typename Object>
-std::vector<Object> read_list(const JsonReader& json) {
-    std::vector<Object> list;
-    for (const JsonReader& entry : json.elements()) list.push_back(read_object<Object>(entry));
+// The entries of an array. `read`: a function of one.
+template <typename Read>
+auto read_each(const JsonReader& json, const Read& read) {
+    std::vector<decltype(read(json))> list;
+    for (const JsonReader& entry : json.elements()) list.push_back(read(entry));
     return list;
 }
 

@@ -164,7 +164,8 @@ void describe(Fields& fields, ContactCache::Point& point) {
 void describe(Fields& fields, Contact& contact) {
     fields.must("a", contact.a, &JsonReader::string);
     fields.must("b", contact.b, &JsonReader::string);
-    fields.must("points", contact.points, read_list<ContactCache::Point>);
+    fields.must("points", contact.points,
+                [](const JsonReader& json) { return read_each(json, read_object<ContactCache::Point>); });
 }
 
 namespace {
