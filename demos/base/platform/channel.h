@@ -4,11 +4,10 @@
 #include <condition_variable>
 #include <cstddef>
 #include <deque>
-#include <exception>
 #include <functional>
+#include <future>
 #include <mutex>
 #include <optional>
-#include <thread>
 
 namespace pushfactor::demos {
 
@@ -67,20 +66,18 @@ class Producer {
     // `make` sends items into the channel until it is done or the channel is closed. It starts at once; what it
     // uses must outlive this object.
     Producer(std::size_t ahead, std::function<void(Channel<T>&)> make) : channel_(ahead) {
-        thread_ = std::thread([this, make = std::move(make)] {
+        made_ = std::async(std::launch::async, [this, make = std::move(make)] {
             try {
                 make(channel_);
             } catch (...) {
-                error_ = std::current_exception();
+                channel_.close();
+                throw;
             }
             channel_.close();
         });
     }
 
-    ~Producer() {
-        channel_.close();
-        if (thread_.joinable()) thread_.join();
-    }
+    ~Producer() { channel_.close(); }
     Producer(const Producer&) = delete;
     Producer& operator=(const Producer&) = delete;
 
@@ -88,15 +85,13 @@ class Producer {
     std::optional<T> next() {
         std::optional<T> thing = channel_.receive();
         if (thing) return thing;
-        if (thread_.joinable()) thread_.join();
-        if (error_) std::rethrow_exception(error_);
+        if (made_.valid()) made_.get();
         return std::nullopt;
     }
 
   private:
     Channel<T> channel_;
-    std::exception_ptr error_;  // of the thread; read after joining
-    std::thread thread_;
+    std::future<void> made_;  // its destructor waits for the thread
 };
 
 }  // namespace pushfactor::demos

@@ -1,7 +1,10 @@
 #include "demos/base/platform/child_process.h"
 
+#include "demos/base/text/numbers.h"
+
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <spawn.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
@@ -42,25 +45,18 @@ std::string describe(int status) {
     return "ended in an unknown way";
 }
 
-// The last three lines of a file, joined.
+// The last three lines of a file that are not empty, joined.
 std::string last_lines(std::FILE* file) {
     std::fseek(file, 0, SEEK_END);
     std::fseek(file, std::max(std::ftell(file) - 4096, 0L), SEEK_SET);
     std::string text(4096, '\0');
     text.resize(std::fread(text.data(), 1, text.size(), file));
 
-    std::string lines;
-    int count = 0;
-    for (std::size_t end = text.size(); end > 0 && count < 3;) {
-        const std::size_t newline = text.find_last_of("\r\n", end - 1);
-        const std::size_t begin = newline == std::string::npos ? 0 : newline + 1;
-        if (begin < end) {
-            lines = text.substr(begin, end - begin) + (count > 0 ? "; " : "") + lines;
-            ++count;
-        }
-        end = begin > 0 ? begin - 1 : 0;
-    }
-    return lines;
+    std::replace(text.begin(), text.end(), '\r', '\n');
+    std::vector<std::string_view> lines = parts_of(text, '\n');
+    std::erase(lines, "");
+    if (lines.size() > 3) lines.erase(lines.begin(), lines.end() - 3);
+    return fmt::format("{}", fmt::join(lines, "; "));
 }
 
 }  // namespace
@@ -68,14 +64,10 @@ std::string last_lines(std::FILE* file) {
 // Searches as a shell does: an empty entry of PATH is the working folder.
 std::optional<fs::path> find_program(const std::string& name) {
     const char* const path = std::getenv("PATH");
-    std::string_view folders = path ? path : "/usr/bin:/bin";
-    for (bool more = true; more;) {
-        const auto colon = folders.find(':');
-        const fs::path candidate = fs::path(folders.substr(0, colon)) / name;
+    for (const std::string_view folder : parts_of(path ? path : "/usr/bin:/bin", ':')) {
+        const fs::path candidate = fs::path(folder) / name;
         std::error_code ignored;
         if (fs::is_regular_file(candidate, ignored) && access(candidate.c_str(), X_OK) == 0) return candidate;
-        more = colon != std::string_view::npos;
-        if (more) folders.remove_prefix(colon + 1);
     }
     return std::nullopt;
 }
@@ -103,7 +95,7 @@ ChildProcess::ChildProcess(const std::string& name, const std::string& package, 
     std::string file = place.string();
     const int descriptor = no_folder ? -1 : mkostemp(file.data(), O_CLOEXEC);
     if (descriptor >= 0) unlink(file.c_str());
-    said_ = descriptor < 0 ? nullptr : fdopen(descriptor, "w+b");
+    if (descriptor >= 0) said_.reset(fdopen(descriptor, "w+b"));
     if (!said_) {
         const std::string why = no_folder ? no_folder.message() : std::strerror(errno);
         const char* const given = std::getenv("TMPDIR");
@@ -111,13 +103,7 @@ ChildProcess::ChildProcess(const std::string& name, const std::string& package, 
             fmt::format("no temporary file in {} (TMPDIR): {}", given ? given : place.parent_path().string(), why));
     }
     arguments.insert(arguments.begin(), name);
-    try {
-        start(program, std::move(arguments), folder);
-    } catch (const ChildProcessError&) {
-        close_if_open(input_);
-        std::fclose(said_);
-        throw;
-    }
+    start(program, std::move(arguments), folder);
 }
 
 ChildProcess::~ChildProcess() {
@@ -127,7 +113,6 @@ ChildProcess::~ChildProcess() {
         kill(-process_, SIGKILL);
         wait_for(process_);
     }
-    std::fclose(said_);
 }
 
 void ChildProcess::start(const fs::path& program, std::vector<std::string> words, const fs::path& folder) {
@@ -142,7 +127,7 @@ void ChildProcess::start(const fs::path& program, std::vector<std::string> words
     posix_spawn_file_actions_init(&files);
     posix_spawn_file_actions_adddup2(&files, ends[1], STDIN_FILENO);
     posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-    posix_spawn_file_actions_adddup2(&files, fileno(said_), STDERR_FILENO);
+    posix_spawn_file_actions_adddup2(&files, fileno(said_.get()), STDERR_FILENO);
     if (!folder.empty()) posix_spawn_file_actions_addchdir_np(&files, folder.c_str());
     // A process group of its own, which the terminal's Ctrl-C does not reach.
     posix_spawnattr_t attributes;
@@ -159,8 +144,10 @@ void ChildProcess::start(const fs::path& program, std::vector<std::string> words
     posix_spawnattr_destroy(&attributes);
     posix_spawn_file_actions_destroy(&files);
     close(ends[1]);
-    if (error != 0)
+    if (error != 0) {
+        close_if_open(input_);
         throw ChildProcessError(fmt::format("{} does not start: {}", program.string(), std::strerror(error)));
+    }
     process_ = started;
 }
 
@@ -170,7 +157,7 @@ int ChildProcess::wait_for_end() {
 }
 
 void ChildProcess::fail(int status) const {
-    const std::string words = last_lines(said_);
+    const std::string words = last_lines(said_.get());
     throw ChildProcessError(fmt::format("{} {}{}{}", name_, describe(status), words.empty() ? "" : ": ", words));
 }
 
@@ -206,7 +193,7 @@ Ending ChildProcess::ending() {
     const int status = wait_for_end();
     const int reported =
         WIFEXITED(status) ? WEXITSTATUS(status) : 128 + (WIFSIGNALED(status) ? WTERMSIG(status) : 0);
-    return {reported, last_lines(said_)};
+    return {reported, last_lines(said_.get())};
 }
 
 }  // namespace pushfactor::demos

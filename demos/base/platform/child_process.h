@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <span>
 #include <stdexcept>
@@ -64,9 +65,12 @@ class ChildProcess {
     [[noreturn]] void fail(int status) const;
 
     std::string name_;
-    int input_ = -1;             // our end of its standard input, -1 when closed
-    std::FILE* said_ = nullptr;  // its standard error, a file without a name
-    pid_t process_ = 0;          // 0 when none runs
+    int input_ = -1;  // our end of its standard input, -1 when closed
+    struct CloseFile {
+        void operator()(std::FILE* file) const { std::fclose(file); }
+    };
+    std::unique_ptr<std::FILE, CloseFile> said_;  // its standard error, a file without a name
+    pid_t process_ = 0;                           // 0 when none runs
 };
 
 }  // namespace pushfactor::demos

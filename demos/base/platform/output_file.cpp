@@ -25,6 +25,10 @@ constexpr std::size_t most_buffered = 1 << 16;
 
 constexpr int most_links = 40;
 
+[[noreturn]] void fail(const fs::path& name, int error) {
+    throw OutputError(name.string() + ": " + std::strerror(error));
+}
+
 // Replaces the path of a link by where it leads to. Returns false if it is none.
 bool follow_link(fs::path& path) {
     std::error_code error;
@@ -56,7 +60,7 @@ StagedFile::StagedFile(const fs::path& target, const std::string& extension)
     : target_(target), place_(followed(target)) {
     struct stat old {};
     const bool exists = stat(place_.c_str(), &old) == 0;
-    if (exists && S_ISDIR(old.st_mode)) fail(EISDIR);
+    if (exists && S_ISDIR(old.st_mode)) fail(target_, EISDIR);
     std::random_device random;
     while (descriptor_ < 0) {
         // Short: the target may have the longest name that there can be.
@@ -64,7 +68,7 @@ StagedFile::StagedFile(const fs::path& target, const std::string& extension)
         descriptor_ = open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
         if (descriptor_ < 0 && errno != EEXIST) {
             path_.clear();
-            fail(errno);
+            fail(target_, errno);
         }
     }
     if (exists) fchmod(descriptor_, old.st_mode & 07777);
@@ -75,19 +79,15 @@ StagedFile::~StagedFile() {
     if (!path_.empty()) unlink(path_.c_str());
 }
 
-void StagedFile::fail(int error) const {
-    throw OutputError(target_.string() + ": " + std::strerror(error));
-}
-
 void StagedFile::sync() {
     // EINVAL: a file system that cannot.
-    if (fdatasync(descriptor_) != 0 && errno != EINVAL && errno != EROFS) fail(errno);
-    if (close(std::exchange(descriptor_, -1)) != 0) fail(errno);
+    if (fdatasync(descriptor_) != 0 && errno != EINVAL && errno != EROFS) fail(target_, errno);
+    if (close(std::exchange(descriptor_, -1)) != 0) fail(target_, errno);
 }
 
 void StagedFile::commit() {
     sync();
-    if (rename(path_.c_str(), place_.c_str()) != 0) fail(errno);
+    if (rename(path_.c_str(), place_.c_str()) != 0) fail(target_, errno);
     path_.clear();
 }
 
@@ -97,7 +97,7 @@ bool StagedFile::commit_new() {
     if (errno == EEXIST) return false;
     // A file system without hard links.
     if (fs::exists(place_)) return false;
-    if (rename(path_.c_str(), place_.c_str()) != 0) fail(errno);
+    if (rename(path_.c_str(), place_.c_str()) != 0) fail(target_, errno);
     path_.clear();
     return true;
 }
@@ -139,7 +139,7 @@ OutputFile::OutputFile(fs::path path) : path_(std::move(path)) {
         descriptor_ = *named;
     } else if (is_stream(path_)) {
         descriptor_ = own_ = open(path_.c_str(), O_WRONLY | O_CLOEXEC);
-        if (descriptor_ < 0) fail(errno);
+        if (descriptor_ < 0) fail(path_, errno);
     } else {
         descriptor_ = staged_.emplace(path_).descriptor();
     }
@@ -149,17 +149,13 @@ OutputFile::~OutputFile() {
     if (own_ >= 0) close(own_);
 }
 
-void OutputFile::fail(int error) const {
-    throw OutputError(name() + ": " + std::strerror(error));
-}
-
 void OutputFile::write(std::string_view text) {
     buffer_ += text;
     if (buffer_.size() >= most_buffered) flush();
 }
 
 void OutputFile::flush() {
-    if (!write_all(descriptor_, buffer_)) fail(errno);
+    if (!write_all(descriptor_, buffer_)) fail(name(), errno);
     buffer_.clear();
 }
 
@@ -168,7 +164,7 @@ void OutputFile::commit() {
     if (staged_) {
         staged_->commit();
     } else if (own_ >= 0 && close(std::exchange(own_, -1)) != 0) {
-        fail(errno);
+        fail(path_, errno);
     }
 }
 
@@ -196,7 +192,7 @@ std::optional<std::string> read_bytes_of(const fs::path& path) {
 
 bool write_first(const fs::path& path, std::string_view bytes) {
     StagedFile file(path);
-    if (!write_all(file.descriptor(), bytes)) throw OutputError(path.string() + ": " + std::strerror(errno));
+    if (!write_all(file.descriptor(), bytes)) fail(path, errno);
     return file.commit_new() || read_bytes_of(path) == bytes;
 }
 
@@ -220,12 +216,12 @@ void make_folder_of(const fs::path& file) {
 void make_folder(const fs::path& folder) {
     std::error_code error;
     fs::create_directories(folder, error);
-    if (error) throw OutputError(folder.string() + ": " + error.message());
-    if (!fs::is_directory(folder)) throw OutputError(folder.string() + ": " + std::strerror(ENOTDIR));
+    if (error) fail(folder, error.value());
+    if (!fs::is_directory(folder)) fail(folder, ENOTDIR);
     // Permissions do not tell of a read-only or full disk; creating a file does.
     std::string probe = (folder / ".XXXXXX").string();
     const int descriptor = mkostemp(probe.data(), O_CLOEXEC);
-    if (descriptor < 0) throw OutputError(folder.string() + ": " + std::strerror(errno));
+    if (descriptor < 0) fail(folder, errno);
     close(descriptor);
     unlink(probe.c_str());
 }

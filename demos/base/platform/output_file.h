@@ -31,7 +31,6 @@ class StagedFile {
 
   private:
     void sync();
-    [[noreturn]] void fail(int error) const;
 
     std::filesystem::path target_, place_, path_;  // as given; through links; of the temporary file
     int descriptor_ = -1;
@@ -55,7 +54,6 @@ class OutputFile {
 
   private:
     void flush();
-    [[noreturn]] void fail(int error) const;
 
     std::filesystem::path path_;
     std::optional<StagedFile> staged_;  // none when written to directly

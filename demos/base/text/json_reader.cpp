@@ -135,9 +135,12 @@ class ErrorPlace : public nlohmann::json_sax<Json> {
         }
         return path;
     }
-    std::size_t position() const { return position_; }  // bytes that were read
-
     const std::string& fault() const { return fault_; }  // empty for an error of the text
+
+    // Of the text: bytes that were read, the parser's message, and whether a number is beyond double.
+    std::size_t position() const { return position_; }
+    const std::string& message() const { return message_; }
+    bool is_too_large() const { return is_too_large_; }
 
     bool null() override { return value(); }
     bool boolean(bool) override { return value(); }
@@ -157,8 +160,10 @@ class ErrorPlace : public nlohmann::json_sax<Json> {
     bool end_object() override { return close(); }
     bool start_array(std::size_t) override { return open({.key = {}, .index = 0}); }
     bool end_array() override { return close(); }
-    bool parse_error(std::size_t position, const std::string&, const nlohmann::detail::exception&) override {
+    bool parse_error(std::size_t position, const std::string&, const nlohmann::detail::exception& error) override {
         position_ = position;
+        message_ = error.what();
+        is_too_large_ = dynamic_cast<const Json::out_of_range*>(&error) != nullptr;
         return false;
     }
 
@@ -191,7 +196,8 @@ class ErrorPlace : public nlohmann::json_sax<Json> {
 
     std::vector<Level> levels_;
     std::size_t position_ = 0;
-    std::string fault_;
+    std::string fault_, message_;
+    bool is_too_large_ = false;
 };
 
 // The word of `text` around `position`.
@@ -210,17 +216,18 @@ bool is_not_finite(std::string word) {
     return word == "nan" || word == "inf" || word == "infinity";
 }
 
-[[noreturn]] void refuse(const std::string& label, const std::string& text, const ErrorPlace& place,
-                         const Json::exception& problem) {
+[[noreturn]] void refuse(const std::string& label, const std::string& text, const ErrorPlace& place) {
     const std::string path = place.path();
+    // Deep paths are long.
+    if (!place.fault().empty()) {
+        throw UsageError("{}: {}{}: {}", label, path.substr(0, 60), path.size() > 60 ? "..." : "", place.fault());
+    }
     const std::string word = word_at(text, std::max<std::size_t>(place.position(), 1));
-    const bool too_large = dynamic_cast<const Json::out_of_range*>(&problem) != nullptr;
-    if (!path.empty() && (too_large || is_not_finite(word))) {
+    if (!path.empty() && (place.is_too_large() || is_not_finite(word))) {
         throw UsageError("{}: {} {}: must be a finite number", label, path, word);
     }
-    const std::string what = problem.what();
     const std::string where = path.empty() ? "" : ", at " + path;
-    throw UsageError("{}: is not JSON{}: {}", label, where, what.substr(what.find("] ") + 2));
+    throw UsageError("{}: is not JSON{}: {}", label, where, place.message().substr(place.message().find("] ") + 2));
 }
 
 }  // namespace
@@ -232,19 +239,8 @@ Json read_json_file(const std::filesystem::path& file, const std::string& label)
         throw UsageError("{}: is not JSON: byte {} is zero", label, zero + 1);
     }
     ErrorPlace place;
-    const bool sound = Json::sax_parse(text, &place);
-    if (!place.fault().empty()) {
-        // Deep paths are long.
-        const std::string path = place.path();
-        throw UsageError("{}: {}{}: {}", label, path.substr(0, 60), path.size() > 60 ? "..." : "", place.fault());
-    }
-    try {
-        Json json = parse_json(text);
-        if (sound) return json;
-    } catch (const Json::exception& problem) {
-        refuse(label, text, place, problem);
-    }
-    throw UsageError("{}: is not JSON", label);
+    if (!Json::sax_parse(text, &place)) refuse(label, text, place);
+    return parse_json(text);
 }
 
 }  // namespace pushfactor::demos

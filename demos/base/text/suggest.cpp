@@ -35,9 +35,6 @@ std::string suggestion(std::string_view typed, std::span<const std::string> know
     const std::string* nearest = nullptr;
     std::size_t least = std::max<std::size_t>(2, typed.size() / 3) + 1;
     for (const std::string& word : known) {
-        const std::size_t longer = std::max(typed.size(), word.size()),
-                          shorter = std::min(typed.size(), word.size());
-        if (longer - shorter >= least) continue;  // the distance is no less
         const std::size_t d = distance(typed, word);
         if (d < least) {
             least = d;
