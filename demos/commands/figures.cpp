@@ -72,20 +72,18 @@ void write_latex(Section& section, const Print& print, const std::filesystem::pa
 }
 
 // The page loses no figure that it had: those that were not made again are as they were.
-void keep_others(const std::string& page, std::vector<Section>& sections) {
-    std::vector<Section> made;
-    made.swap(sections);
+std::vector<Section> with_others(const std::vector<Section>& made, const std::string& page) {
+    std::vector<Section> all;
     for (const figures::Figure& figure : figures::all_figures()) {
-        const std::string name(figure.name);
+        const std::string name(figure.name), before = section_on(page, name);
         const auto now = std::ranges::find(made, name, &Section::name);
-        SectionContent before;
-        before.kept = section_on(page, name);
         if (now != made.end()) {
-            sections.push_back(*now);
-        } else if (!before.kept.empty()) {
-            sections.push_back({name, std::string(figure.title), before});
+            all.push_back(*now);
+        } else if (!before.empty()) {
+            all.push_back({name, std::string(figure.title), {.kept = before}});
         }
     }
+    return all;
 }
 
 std::vector<Option> figures_options() {
@@ -139,13 +137,13 @@ void carry_out(const Figures& command) {
         bar.show(static_cast<long>(sections.size()));
     }
     if (format.print) write_file(folder / "pushfactor.bib", bibliography());
-    keep_others(read_bytes_of(folder / "index.html").value_or(""), sections);
+    const std::string before = read_bytes_of(folder / "index.html").value_or("");
     write_index(
         folder,
         page_text("Pushfactor: figures",
                   "Figures 5 to 11 of Tamis & Maggiore, Constraint based physics solver (2015), and some of "
                   "our own. All numbers were measured in the runs that are shown.",
-                  sections));
+                  with_others(sections, before)));
     print((folder / "index.html").string() + "\n");
 }
 

@@ -112,8 +112,7 @@ SectionContent sphere_in_corner(FigureOutput& output, const Figure& figure) {
                      corner.axes[1].dot(corner.velocity)),
          1.0f);
 
-    SectionContent content;
-    output.save(sheet, std::string(figure.name), content);
+    SectionContent content = output.save(sheet, figure);
     content.caption = fmt::format(
         "A ball of 1 kg at rest between walls inclined by 45 and 30 degrees, without friction, after {:.0f} s; the "
         "rows are those of the engine's last step. Gravity is 10 m/s^2, so the contact forces must add up to 10 N "

@@ -40,29 +40,25 @@ std::string FigureOutput::save(const renderer::Image& image, const std::string& 
     return name + ".png";
 }
 
-void FigureOutput::save(const Sheet& sheet, const std::string& name, SectionContent& content) const {
+SectionContent FigureOutput::save(const Sheet& sheet, const Figure& figure) const {
+    const std::string name(figure.name);
     write_file(folder_ / (name + ".png"), png_of(sheet, offscreen_.lettering(), format_));
-    content.pictures.push_back(name + ".png");
-    if (!format_.print) return;
-    // The picture alone, which gnuplot puts under the texts.
-    const fs::path bare = folder_ / (name + ".bare.png");
-    write_file(bare, png_of(sheet, 0.0));
-    try {
-        add_pdf({.script = "sheet",
-                 .data = name + ".txt",
-                 .name = name,
-                 .width = sheet.width(),
-                 .aspect = static_cast<double>(sheet.width()) / sheet.height(),
-                 .variables = {{"picture", bare.string()},
-                               {"across", static_cast<double>(sheet.width())},
-                               {"down", static_cast<double>(sheet.height())}},
-                 .format = format_},
-                text_data(sheet), folder_, content);
-    } catch (...) {
-        fs::remove(bare);
-        throw;
-    }
-    fs::remove(bare);
+    SectionContent content{.pictures = {name + ".png"}};
+    if (!format_.print) return content;
+    // The picture alone, which gnuplot puts under the texts; its destructor removes it.
+    const StagedFile bare(folder_ / (name + ".png"), ".png");
+    write_file(bare.path(), png_of(sheet, 0.0));
+    add_pdf({.script = "sheet",
+             .data = name + ".txt",
+             .name = name,
+             .width = sheet.width(),
+             .aspect = static_cast<double>(sheet.width()) / sheet.height(),
+             .variables = {{"picture", bare.path().string()},
+                           {"across", static_cast<double>(sheet.width())},
+                           {"down", static_cast<double>(sheet.height())}},
+             .format = format_},
+            text_data(sheet), folder_, content);
+    return content;
 }
 
 SectionContent FigureOutput::plot(const Figure& figure, const Table& table, double aspect,

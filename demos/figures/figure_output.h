@@ -38,10 +38,11 @@ class FigureOutput {
     // Writes the picture as NAME.png and returns that name. Throws OutputError.
     std::string save(const renderer::Image& image, const std::string& name) const;
 
-    // Writes the sheet as NAME.png and, for print, as NAME.pdf, and adds them to the content. Throws OutputError.
-    void save(const Sheet& sheet, const std::string& name, SectionContent& content) const;
+    // Writes the sheet as NAME.png, NAME being the figure's, and, for print, as NAME.pdf. The content with these
+    // files. Throws OutputError.
+    SectionContent save(const Sheet& sheet, const Figure& figure) const;
 
-    // Writes NAME.csv, NAME being the figure's, and, where gnuplot is installed, draws it with assets/plots/NAME.gp
+    // Writes NAME.csv and, where gnuplot is installed, draws it with assets/plots/NAME.gp
     // as NAME.png, NAME.svg and, for print, NAME.pdf. The content with these files; without gnuplot its caption
     // says what to install.
     SectionContent plot(const Figure& figure, const Table& table, double aspect, SectionContent content) const;

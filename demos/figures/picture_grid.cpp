@@ -1,6 +1,7 @@
 #include "demos/figures/picture_grid.h"
 
 #include "demos/base/platform/progress.h"
+#include "demos/base/text/wrapped.h"
 #include "demos/options/simulation_options.h"
 #include "demos/pictures/camera/framing.h"
 #include "demos/pictures/camera/layout.h"
@@ -43,7 +44,7 @@ void play_cells(const PictureGrid& grid, const std::function<void(std::size_t ce
 
 // `label` is the height of a cell's label as a share of the cell's.
 View camera_of(const PictureGrid& grid, double aspect, double label) {
-    const View view = grid.view.value_or(grid.runs.front().description.view);
+    const View view = grid.runs.front().description.view;
     if (!grid.fit) return view;
     pictures::Outline outline;
     Eigen::AlignedBox3d near;
@@ -91,7 +92,9 @@ float width_of(const std::string& lines, float size, const pictures::Lettering& 
 
 std::vector<std::string> label_lines(const PictureGrid& grid, std::size_t cell, float size, int across,
                                      const pictures::Lettering& lettering) {
-    return wrapped(grid.cells[cell].label, size, static_cast<float>(across), lettering);
+    return wrapped(grid.cells[cell].label, [&](const std::string& line) {
+        return lettering.width(line, size) <= static_cast<float>(across);
+    });
 }
 
 Room room_of(const FigureOutput& output, const PictureGrid& grid, const pictures::Lettering& lettering) {
@@ -145,7 +148,7 @@ void write_replay(const PictureGrid& grid, const std::string& command, const std
     for (std::size_t r = 0; r < grid.runs.size(); ++r) {
         sequence.panels.push_back({.label = label_of(grid, r), .choices = grid.runs[r]});
         FrameChoices& frames = sequence.panels.back().choices.frames;
-        frames.camera = {.view = grid.view, .fit = grid.fit};
+        frames.camera = {.fit = grid.fit};
         if (grid.overlay) frames.overlay = {*grid.overlay};
     }
     long end = 0;
@@ -211,9 +214,8 @@ Sheet draw_grid(FigureOutput& output, const PictureGrid& grid) {
 }  // namespace
 
 SectionContent draw_figure(FigureOutput& output, const Figure& figure, const PictureGrid& grid) {
-    SectionContent content;
+    SectionContent content = output.save(draw_grid(output, grid), figure);
     const std::string name(figure.name);
-    output.save(draw_grid(output, grid), name, content);
     write_replay(grid, "pushfactor figures " + name, output.file(name + ".html"));
     content.replays.push_back(name + ".html");
     return content;

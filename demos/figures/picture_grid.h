@@ -25,7 +25,6 @@ struct PictureGrid {
     int columns = 1;
     double cell_aspect = 1.0;              // width over height
     bool fit = true;                       // one camera that frames all motion in all cells; else the scene's own
-    std::optional<View> view{};            // instead of the scene's own
     std::optional<OverlayItem> overlay{};  // with its scale
     // Called with the run at the time of each cell, for the numbers in the caption.
     std::function<void(const Cell& cell, const Simulation& run)> look{};

@@ -13,6 +13,8 @@
 
 #include <cstdlib>
 #include <ctime>
+#include <iomanip>
+#include <sstream>
 
 namespace pushfactor::demos {
 
@@ -22,9 +24,7 @@ namespace fs = std::filesystem;
 
 // A gnuplot string: in single quotes, where only the quote itself is special and is doubled.
 std::string gnuplot_string(const std::string& text) {
-    std::string result = "'";
-    for (const char c : text) result += c == '\'' ? "''" : std::string(1, c);
-    return result + "'";
+    return (std::ostringstream() << std::quoted(text, '\'', '\'')).str();
 }
 
 // The palette of the frames, or that of print, as gnuplot variables.

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 
 namespace pushfactor::demos::figures {
 
@@ -85,35 +84,33 @@ SectionContent platonic_energy(FigureOutput& output, const Figure& figure) {
     Table table{.columns = {"time_s"}, .rows = {}};
     for (const scenes::RegularSolid& solid : solids) table.columns.push_back(std::string(solid.name) + "_j");
     Simulation run(run_of("platonic", {{"seconds", "6"}}));
-    std::vector<std::size_t> kinds(run.scene().bodies.size(), solids.size());
-    std::vector<double> counts(solids.size(), 0.0);
-    for (std::size_t i = 0; i < kinds.size(); ++i) {
-        for (std::size_t kind = 0; kind < solids.size(); ++kind) {
-            if (!run.scene().bodies[i].name.starts_with(solids[kind].name)) continue;
-            kinds[i] = kind;
-            ++counts[kind];
+    std::vector<std::vector<std::size_t>> members(solids.size());  // bodies of each kind
+    std::size_t count = 0;
+    for (std::size_t kind = 0; kind < solids.size(); ++kind) {
+        for (std::size_t i = 0; i < run.scene().bodies.size(); ++i) {
+            if (run.scene().bodies[i].name.starts_with(solids[kind].name)) members[kind].push_back(i);
         }
+        count += members[kind].size();
     }
     std::vector<double> quiet(solids.size(), 0.0);  // s, when the mean last was above a thousandth of a joule
     while (run.sample().step < whole_steps(run.settings())) {
         run.advance();
-        std::vector<double> energies(solids.size(), 0.0);
-        const std::vector<Body>& bodies = run.scene().world.bodies;
-        for (std::size_t i = 0; i < kinds.size(); ++i) {
-            if (kinds[i] == solids.size()) continue;
-            energies[kinds[i]] += engine::kinetic_energy(std::span(&bodies[i], 1)) / counts[kinds[i]];
-        }
         auto& row = table.rows.emplace_back();
         row.push_back(run.sample().time);
         for (std::size_t kind = 0; kind < solids.size(); ++kind) {
-            row.push_back(energies[kind]);
-            if (energies[kind] > 1e-3) quiet[kind] = run.sample().time;
+            double energy = 0.0;
+            for (const std::size_t i : members[kind]) {
+                energy += engine::kinetic_energy(std::span(&run.scene().world.bodies[i], 1)) /
+                          static_cast<double>(members[kind].size());
+            }
+            row.push_back(energy);
+            if (energy > 1e-3) quiet[kind] = run.sample().time;
         }
     }
     std::string caption = fmt::format(
-        "Kinetic energy per body of {:.0f} regular solids of 1 kg and one volume, poured into the funnel. It is "
+        "Kinetic energy per body of {} regular solids of 1 kg and one volume, poured into the funnel. It is "
         "above 1 mJ until",
-        std::accumulate(counts.begin(), counts.end(), 0.0));
+        count);
     for (std::size_t kind = 0; kind < solids.size(); ++kind)
         caption += fmt::format("{} {:.1f} s for the {}", kind == 0 ? "" : ",", quiet[kind], solids[kind].name);
     return output.plot(figure, table, 1.6,

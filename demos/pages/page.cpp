@@ -2,13 +2,14 @@
 
 #include "demos/base/platform/assets.h"
 #include "demos/base/platform/output_file.h"
+#include "demos/base/platform/plain_name.h"
 #include "demos/base/text/html.h"
 #include "demos/pages/short_numbers.h"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <filesystem>
+#include <set>
 
 namespace pushfactor::demos {
 
@@ -23,15 +24,9 @@ std::string shown(const std::string& text) {
 
 // Unique ids of the sections.
 std::vector<std::string> anchors_of(std::span<const Section> sections) {
-    std::vector<std::string> taken{"contents", "said"}, anchors;
-    for (const Section& section : sections) {
-        const std::string wanted = html::anchor(section.name);
-        std::string anchor = wanted;
-        for (int i = 2; std::ranges::find(taken, anchor) != taken.end(); ++i)
-            anchor = fmt::format("{}-{}", wanted, i);
-        taken.push_back(anchor);
-        anchors.push_back(anchor);
-    }
+    std::set<std::string> taken{"contents", "said"};
+    std::vector<std::string> anchors;
+    for (const Section& section : sections) anchors.push_back(unused_name(html::anchor(section.name), taken));
     return anchors;
 }
 
@@ -43,6 +38,10 @@ std::string marks_of(const Section& section) {
         if (counts[i] > 0) text += " " + mark_html(static_cast<Mark>(i), counts[i]);
     }
     return text;
+}
+
+std::string file_link(const std::string& file, const std::string& text) {
+    return fmt::format(" <a href=\"{}\">{}</a>", html::link_to(file), html::escaped(text));
 }
 
 std::string contents(std::span<const Section> sections, const std::vector<std::string>& anchors) {
@@ -83,20 +82,16 @@ std::string commands_of(const Section& section) {
 std::string files_of(const Section& section) {
     if (section.content.files.empty()) return "";
     std::string text = "<p class=\"files\">Files:";
-    for (const std::string& file : section.content.files)
-        text += fmt::format(" <a href=\"{}\">{}</a>", html::link_to(file), html::escaped(file));
+    for (const std::string& file : section.content.files) text += file_link(file, file);
     return text + "</p>\n";
 }
 
 std::string replays_of(const Section& section) {
     const std::vector<std::string>& replays = section.content.replays;
     if (replays.empty()) return "";
-    const auto link = [](const std::string& replay, const std::string& text) {
-        return fmt::format(" <a href=\"{}\">{}</a>", html::link_to(replay), html::escaped(text));
-    };
-    if (replays.size() == 1) return "<p class=\"files\">" + link(replays.front(), "Replay") + "</p>\n";
+    if (replays.size() == 1) return "<p class=\"files\">" + file_link(replays.front(), "Replay") + "</p>\n";
     std::string text = fmt::format("<details>\n<summary>{} replays</summary>\n<p class=\"files\">", replays.size());
-    for (const std::string& replay : replays) text += link(replay, std::filesystem::path(replay).stem());
+    for (const std::string& replay : replays) text += file_link(replay, std::filesystem::path(replay).stem());
     return text + "</p>\n</details>\n";
 }
 
@@ -126,13 +121,12 @@ std::string document(const std::string& title, const std::string& opening, const
     for (const std::string name : assets)
         (name.ends_with(".css") ? styles : scripts) += asset_text(asset_folder("pages") / name);
     return fmt::format(
-               "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-               "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-               "<meta name=\"color-scheme\" content=\"light dark\">\n<title>{0}</title>\n"
-               "<style>\n{1}</style>\n</head>\n<body>\n<header>\n<h1>{0}</h1>\n<p>{2}</p>\n</header>\n",
-               html::escaped(title), styles, html::escaped(with_short_numbers(opening))) +
-           body +
-           fmt::format("<p id=\"said\" role=\"status\"></p>\n<script>\n{}</script>\n</body>\n</html>\n", scripts);
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+        "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+        "<meta name=\"color-scheme\" content=\"light dark\">\n<title>{0}</title>\n"
+        "<style>\n{1}</style>\n</head>\n<body>\n<header>\n<h1>{0}</h1>\n<p>{2}</p>\n</header>\n{3}"
+        "<p id=\"said\" role=\"status\"></p>\n<script>\n{4}</script>\n</body>\n</html>\n",
+        html::escaped(title), styles, shown(opening), body, scripts);
 }
 
 std::string page_text(const std::string& title, const std::string& opening, std::span<const Section> sections) {

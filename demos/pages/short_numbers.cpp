@@ -31,15 +31,6 @@ struct Token {
     std::string mantissa() const { return whole + fraction; }
 };
 
-// The number that begins at `at`; its whole part is empty if there is none.
-Token token_at(std::string_view text, std::size_t at) {
-    static const std::regex number(R"((-?)(\d+)(\.\d+)?(e[-+]?\d+)?)");
-    std::cmatch match;
-    std::regex_search(text.data() + at, text.data() + text.size(), match, number,
-                      std::regex_constants::match_continuous);
-    return match.empty() ? Token() : Token{match[1], match[2], match[3], match[4]};
-}
-
 // Whether the number is not part of a name, a version, a date or a range.
 bool stands_alone(std::string_view text, std::size_t at, const Token& token) {
     const std::size_t end = at + token.size();
@@ -90,20 +81,18 @@ std::string short_text(const Token& token, bool in_cell) {
 }
 
 std::string shortened(std::string_view text, bool in_cell) {
+    static const std::regex number(R"((-?)(\d+)(\.\d+)?(e[-+]?\d+)?)");
     std::string result;
-    for (std::size_t i = 0; i < text.size();) {
-        if (is_digit(text[i]) || text[i] == '-') {
-            const Token token = token_at(text, i);
-            if (!token.whole.empty()) {
-                result += stands_alone(text, i, token) ? short_text(token, in_cell)
-                                                       : std::string(text.substr(i, token.size()));
-                i += token.size();
-                continue;
-            }
-        }
-        result += text[i++];
+    std::size_t end = 0;  // of the number before
+    for (std::cregex_iterator i(text.data(), text.data() + text.size(), number), none; i != none; ++i) {
+        const std::cmatch& match = *i;
+        const Token token{match[1], match[2], match[3], match[4]};
+        const auto at = static_cast<std::size_t>(match.position());
+        result += text.substr(end, at - end);
+        result += stands_alone(text, at, token) ? short_text(token, in_cell) : match.str();
+        end = at + token.size();
     }
-    return result;
+    return result.append(text.substr(end));
 }
 
 }  // namespace

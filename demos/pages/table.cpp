@@ -11,6 +11,8 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <iomanip>
+#include <sstream>
 
 namespace pushfactor::demos {
 
@@ -18,9 +20,7 @@ namespace {
 
 std::string csv_field(const std::string& field) {
     if (field.find_first_of(",\"\n") == std::string::npos) return field;
-    std::string text = "\"";
-    for (const char c : field) text += c == '"' ? "\"\"" : std::string(1, c);
-    return text + '"';
+    return (std::ostringstream() << std::quoted(field, '"', '"')).str();
 }
 
 // Longest text that is not wrapped [characters].

@@ -3,8 +3,6 @@
 #include "renderer/images/cut_out.h"
 #include "renderer/images/png.h"
 
-#include <sstream>
-
 namespace pushfactor::demos {
 
 Sheet Sheet::blank(int width, int height, const FigureFormat& format) {
@@ -49,22 +47,6 @@ std::vector<std::uint8_t> png_of(Sheet sheet, const pictures::Lettering& letteri
         }
     }
     return png_of(sheet, format.print ? format.print->dpi : 0.0);
-}
-
-std::vector<std::string> wrapped(const std::string& text, float size, float width,
-                                 const pictures::Lettering& lettering) {
-    std::vector<std::string> lines(1);
-    std::istringstream words(text);
-    for (std::string word; words >> word;) {
-        std::string& line = lines.back();
-        const std::string longer = line.empty() ? word : line + ' ' + word;
-        if (line.empty() || lettering.width(longer, size) <= width) {
-            line = longer;
-        } else {
-            lines.push_back(word);
-        }
-    }
-    return lines;
 }
 
 }  // namespace pushfactor::demos

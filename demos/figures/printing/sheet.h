@@ -42,8 +42,4 @@ struct Sheet {
 std::vector<std::uint8_t> png_of(const Sheet& sheet, double dots_per_inch);
 std::vector<std::uint8_t> png_of(Sheet sheet, const pictures::Lettering& lettering, const FigureFormat& format);
 
-// `text` in lines that are at most `width` [pixels] wide, broken between words.
-std::vector<std::string> wrapped(const std::string& text, float size, float width,
-                                 const pictures::Lettering& lettering);
-
 }  // namespace pushfactor::demos

@@ -1,6 +1,7 @@
 // Figures for print: sizes on paper, letters, LaTeX, and colours that stay apart in grey.
 #include "demos/base/text/numbers.h"
 #include "demos/base/text/palette.h"
+#include "demos/base/text/wrapped.h"
 #include "demos/figures/printing/latex.h"
 #include "demos/figures/printing/sheet.h"
 #include "tests/catch.h"
@@ -88,9 +89,9 @@ TEST_CASE("captions become LaTeX") {
 TEST_CASE("labels are broken between words") {
     const pictures::Lettering lettering;
     const float width = lettering.width("single-frame push,", 20.0f);
-    CHECK(wrapped("single-frame push, 0.5 s", 20.0f, width, lettering) ==
-          std::vector<std::string>{"single-frame push,", "0.5 s"});
-    CHECK(wrapped("a", 20.0f, 1.0f, lettering) == std::vector<std::string>{"a"});
+    const auto fits = [&](const std::string& line) { return lettering.width(line, 20.0f) <= width; };
+    CHECK(wrapped("single-frame push, 0.5 s", fits) == std::vector<std::string>{"single-frame push,", "0.5 s"});
+    CHECK(wrapped("a", [](const std::string&) { return false; }) == std::vector<std::string>{"a"});
 }
 
 TEST_CASE("Figure 7 in a column of 85 mm has letters of 8 points, in its PDF and in a LaTeX document") {
