@@ -1,4 +1,5 @@
 #include "demos/base/platform/output_file.h"
+#include "demos/base/platform/plain_name.h"
 #include "demos/base/platform/progress.h"
 #include "demos/base/platform/version.h"
 #include "demos/base/text/errors.h"
@@ -12,9 +13,9 @@
 
 #include <atomic>
 #include <ctime>
+#include <future>
 #include <mutex>
 #include <set>
-#include <thread>
 
 namespace pushfactor::demos::commands {
 
@@ -38,42 +39,33 @@ Rules understand_rules(const Check& request) {
         rules.tolerance = Tolerance{.limits = *limits};
     }
     if (request.flip) {
-        const auto most = parse_number(*request.flip);
-        if (!most || *most < 0.0 || *most > 1.0) throw UsageError("--flip {}: must be from 0 to 1", *request.flip);
+        const auto most = parse_number(*request.flip, 0.0, 1.0);
+        if (!most) throw UsageError("--flip {}: must be from 0 to 1", *request.flip);
         rules.tolerance = Tolerance{.limits = {}, .flip = *most};
     }
     const std::string physics = request.physics.value_or("hash");
     if (physics == "off") {
         rules.physics = false;
     } else if (physics != "hash") {
-        const auto most = parse_number(physics);
-        if (!most || *most < 0.0) throw UsageError("--physics {}: must be hash, off, or metres from 0", physics);
+        const auto most = parse_number(physics, 0.0);
+        if (!most) throw UsageError("--physics {}: must be hash, off, or metres from 0", physics);
         rules.trajectory = *most;
     }
     return rules;
 }
 
-// File names for folders: what is not plain becomes '-', and a name that is taken gets a number.
-class Anchors {
-  public:
-    std::string operator()(const fs::path& folder) {
-        std::string wanted;
-        for (const char c : folder.lexically_normal().generic_string()) {
-            const bool plain = std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '-';
-            if (plain || !wanted.empty()) wanted += plain ? c : '-';
-        }
-        while (wanted.ends_with('-')) wanted.pop_back();
-        constexpr std::size_t longest = 100;
-        if (wanted.size() > longest) wanted.erase(0, wanted.size() - longest);
-        if (wanted.empty()) wanted = "pictures";
-        std::string anchor = wanted;
-        for (int n = 2; !taken_.insert(anchor).second; ++n) anchor = fmt::format("{}-{}", wanted, n);
-        return anchor;
+// A file name for a folder: what is not plain becomes '-'.
+std::string anchor_of(const fs::path& folder) {
+    std::string anchor;
+    for (const char c : folder.lexically_normal().generic_string()) {
+        const bool plain = std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '-';
+        if (plain || !anchor.empty()) anchor += plain ? c : '-';
     }
-
-  private:
-    std::set<std::string> taken_;
-};
+    while (anchor.ends_with('-')) anchor.pop_back();
+    constexpr std::size_t longest = 100;
+    if (anchor.size() > longest) anchor.erase(0, anchor.size() - longest);
+    return anchor.empty() ? "pictures" : anchor;
+}
 
 // A folder's name as people write it.
 std::string name_of(const fs::path& folder) {
@@ -103,13 +95,15 @@ class Checks {
   public:
     Checks(const Check& request, const Rules& rules)
         : request_(request), rules_(rules), most_(static_cast<std::size_t>(request.jobs.value_or(1))) {
-        Anchors anchors;
+        std::set<std::string> anchors;
         std::set<fs::path> seen;
         for (const std::string& given : request.folders) {
             for (const fs::path& folder : folders_of_pictures(given)) {
                 if (is_below(pages_of(request), folder) || !seen.insert(fs::canonical(folder)).second) continue;
-                tasks_.push_back(
-                    {folder, {.name = name_of(folder), .anchor = anchors(folder), .pages = pages_of(request)}});
+                tasks_.push_back({folder,
+                                  {.name = name_of(folder),
+                                   .anchor = unused_name(anchor_of(folder), anchors),
+                                   .pages = pages_of(request)}});
             }
         }
     }
@@ -118,11 +112,12 @@ class Checks {
         for (Task& task : tasks_) {
             if (request_.update) task.update = std::make_unique<Update>(task.folder);
         }
-        std::vector<std::thread> others;
-        for (std::size_t i = 1; i < std::min(most_, tasks_.size()); ++i) others.emplace_back([this] { work(); });
+        std::vector<std::future<void>> others;  // whose destructors wait for them
+        for (std::size_t i = 1; i < std::min(most_, tasks_.size()); ++i) {
+            others.push_back(std::async(std::launch::async, [this] { work(); }));
+        }
         work();
-        for (std::thread& thread : others) thread.join();
-        if (error_) std::rethrow_exception(error_);
+        for (std::future<void>& other : others) other.get();
         std::vector<FolderVerdict> verdicts;
         for (Task& task : tasks_) verdicts.push_back(task.verdict.value());
         return verdicts;
@@ -166,9 +161,8 @@ class Checks {
                 }
             }
         } catch (...) {
-            const std::lock_guard lock(mutex_);
-            if (!error_) error_ = std::current_exception();
             next_ = tasks_.size();
+            throw;
         }
     }
 
@@ -210,7 +204,6 @@ class Checks {
     std::mutex mutex_;  // guards verdicts and the members below
     std::size_t printed_ = 0;
     std::string driver_;
-    std::exception_ptr error_;
 };
 
 void write_results(const Check& request, const std::vector<FolderVerdict>& verdicts, const std::string& driver) {
@@ -240,7 +233,7 @@ void check_other_pictures(const Check& request, const Rules& rules) {
     const fs::path expected = request.folders.front();
     const std::vector<FolderVerdict> verdicts{
         check_pictures(expected, *request.against, rules.tolerance.value_or(exactly()),
-                       {.name = name_of(expected), .anchor = Anchors()(expected), .pages = pages_of(request)})};
+                       {.name = name_of(expected), .anchor = anchor_of(expected), .pages = pages_of(request)})};
     print_lines(verdicts.front());
     write_results(request, verdicts, "");
     judge(request, verdicts);
@@ -260,15 +253,13 @@ std::vector<Option> check_options() {
          "in the folder (made by render --trajectory), for another compiler or C library; off [hash]"},
         {"update", "",
          "print the differences and replace pictures, summary.json and trajectory.csv of a folder, all or nothing; "
-         "config.json is never overwritten",
-         group, OptionKind::flag},
+         "config.json is never overwritten"},
         {"jobs", "N", "folders that are checked at once [1]"},
         {"gl", "osmesa|egl", "OpenGL back end [as in the config.json]"},
         {"out", "DIR", "folder for the page, with the 20 worst pictures of each folder [out/check]"},
         {"junit", "FILE", "the verdicts as JUnit XML, for CI servers", group, OptionKind::writes},
         {"markdown", "FILE", "a summary as Markdown, for $GITHUB_STEP_SUMMARY", group, OptionKind::writes},
-        {"allow-not-compared", "", "status 0 even if something could not be compared, or is unexpected", group,
-         OptionKind::flag},
+        {"allow-not-compared", "", "status 0 even if something could not be compared, or is unexpected"},
     };
 }
 

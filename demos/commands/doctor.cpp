@@ -98,7 +98,7 @@ std::string json_text_of(const std::vector<Finding>& findings) {
 
 std::vector<Option> doctor_options() {
     return {{"out", "FILE", "write the test picture to this file (.png)", "Options", OptionKind::writes},
-            {"json", "", "print JSON", "Options", OptionKind::flag}};
+            {"json", "", "print JSON"}};
 }
 
 AnyCommand read_doctor(Words& words) {

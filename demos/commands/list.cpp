@@ -9,7 +9,7 @@ namespace pushfactor::demos::commands {
 namespace {
 
 std::vector<Option> list_options() {
-    return {{"names", "", "only the names, one per line", "Options", OptionKind::flag}};
+    return {{"names", "", "only the names, one per line"}};
 }
 
 AnyCommand read_list(Words& words) {

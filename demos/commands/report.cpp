@@ -82,7 +82,7 @@ std::vector<Option> report_options() {
     return {
         {"out", "DIR",
          "folder for the page, its pictures and tables [out/report-NAME, and -PART or -grid for less than all]"},
-        {"quick", "", "few values and short runs: under a minute", group, OptionKind::flag},
+        {"quick", "", "few values and short runs: under a minute"},
         {"only", "PART,...",
          "parts of the report. error: scenes, frozen, consistency; stability: its chapters; cost: scenes; "
          "atlas: maps; reality: its sections [all]",

@@ -31,7 +31,7 @@ std::vector<Option> simulation_option_table() {
     std::vector<Option> table{{"preset", "NAME", preset_help(), group}};
     for (const SimulationOption& option : simulation_options()) {
         table.push_back({option.name, option.placeholder, option.help, group,
-                         option.reads_file ? OptionKind::reads : OptionKind::value});
+                         option.name == measured_option ? OptionKind::reads : OptionKind::value});
     }
     table.push_back({"config", "FILE", "read options from this JSON file; the command line takes precedence", group,
                      OptionKind::reads});
@@ -57,8 +57,7 @@ std::vector<Option> output_option_table() {
          "angle_error_rms_deg of pendulum-wave compares with the exact motion; may be repeated",
          output_group, OptionKind::list},
         file("save-state", "the final state, as a scene file that resumes the run"),
-        {"timing", "", "CPU time of the steps in the CSV and the summary; the run uses one thread", output_group,
-         OptionKind::flag},
+        {"timing", "", "CPU time of the steps in the CSV and the summary; the run uses one thread", output_group},
     };
 }
 

@@ -4,13 +4,13 @@
 #include "demos/base/platform/shell_words.h"
 #include "demos/base/text/errors.h"
 #include "demos/base/text/suggest.h"
+#include "demos/base/text/wrapped.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <filesystem>
-#include <sstream>
 #include <stdexcept>
 
 namespace pushfactor::demos {
@@ -32,24 +32,6 @@ bool are_one_file(const std::string& a, const std::string& b) {
     // Devices such as /dev/null take any number of outputs.
     if (fs::is_character_file(a, ignored)) return false;
     return place_of(a) == place_of(b) || fs::equivalent(a, b, ignored);
-}
-
-// Lines of at most 100 characters, all but the first indented.
-std::string wrapped(const std::string& text, std::size_t indent) {
-    constexpr std::size_t width = 100;
-    std::string lines;
-    std::size_t column = indent;
-    std::istringstream words(text);
-    for (std::string word; words >> word;) {
-        if (column > indent && column + 1 + word.size() > width) {
-            lines += "\n" + std::string(indent, ' ');
-            column = indent;
-        }
-        if (column > indent) word.insert(0, " ");
-        column += word.size();
-        lines += word;
-    }
-    return lines;
 }
 
 // The headings of the options that are listed, in their order.
@@ -95,23 +77,23 @@ Words::Words(std::string command, std::vector<Option> known, std::vector<std::st
         const std::string name = word.starts_with("--") ? word.substr(2, equals - 2) : "";
         const auto found = std::ranges::find(known_, name, &Option::name);
         if (found == known_.end()) refuse_unknown(word.substr(0, equals));
+        const bool is_flag = found->placeholder.empty();
         std::string value;
-        if (found->kind == OptionKind::flag) {
+        if (is_flag) {
             if (equals != std::string::npos) throw UsageError(word + ": must be without a value");
         } else if (equals != std::string::npos) {
             value = word.substr(equals + 1);
         } else if (i + 1 < arguments.size() && !arguments[i + 1].starts_with("--")) {
             value = arguments[++i];
         }
-        if (value.empty() && found->kind != OptionKind::flag) {
+        if (value.empty() && !is_flag) {
             throw UsageError("--{}: must have a value, {}", name, found->placeholder);
         }
         std::vector<std::string>& texts = given_[name];
         if (!texts.empty() && found->kind != OptionKind::list) {
             throw UsageError(
-                found->kind == OptionKind::flag
-                    ? fmt::format("--{}: must be given once", name)
-                    : fmt::format("--{} {}: must be given once, not also {}", name, value, texts.front()));
+                is_flag ? fmt::format("--{}: must be given once", name)
+                        : fmt::format("--{} {}: must be given once, not also {}", name, value, texts.front()));
         }
         texts.push_back(value);
     }
@@ -179,8 +161,7 @@ std::optional<std::string> Words::take_word(std::string_view option, const std::
 std::optional<int> Words::take_whole(std::string_view option, int low, int high) {
     const auto text = take(option);
     if (!text) return std::nullopt;
-    const auto number = parse_integer(*text);
-    if (number && *number >= low && *number <= high) return number;
+    if (const auto number = parse_integer(*text, low, high)) return number;
     throw UsageError("--{} {}: must be a whole number from {} to {}", option, *text, low, high);
 }
 
@@ -227,16 +208,17 @@ void require_own_endings(const std::string& folder, const std::optional<std::str
 }
 
 std::string help_of(const std::vector<Option>& options) {
-    constexpr std::size_t indent = 30;
+    constexpr std::size_t indent = 30, width = 100;
+    const std::string next_line = "\n" + std::string(indent, ' ');
+    const auto fits = [](const std::string& line) { return indent + line.size() <= width; };
     std::string text;
     for (const std::string& group : groups_of(options)) {
         text += "\n" + group + ":\n";
         for (const Option& option : options) {
             if (option.group != group) continue;
             const std::string head = "  " + usage_of(option);
-            const std::string gap =
-                head.size() + 2 > indent ? "\n" + std::string(indent, ' ') : std::string(indent - head.size(), ' ');
-            text += head + gap + wrapped(option.help, indent) + "\n";
+            const std::string gap = head.size() + 2 > indent ? next_line : std::string(indent - head.size(), ' ');
+            text += fmt::format("{}{}{}\n", head, gap, fmt::join(wrapped(option.help, fits), next_line));
         }
     }
     return text;

@@ -16,7 +16,6 @@ namespace pushfactor::demos {
 
 enum class OptionKind {
     value,
-    flag,    // without a value
     list,    // may be repeated
     reads,   // a file that is read
     writes,  // a file that is written
@@ -24,7 +23,7 @@ enum class OptionKind {
 
 struct Option {
     std::string name;         // without the leading dashes
-    std::string placeholder;  // of the value, in help texts
+    std::string placeholder;  // of the value, in help texts; empty for a flag, which has none
     std::string help;
     std::string group = "Options";  // heading in the help text; options without one are not listed
     OptionKind kind = OptionKind::value;

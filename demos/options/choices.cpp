@@ -36,11 +36,6 @@ Settings understand_settings(const GivenOptions& given) {
     return settings;
 }
 
-// "--count, --seed"
-std::string list_of(const std::vector<std::string>& parameters) {
-    return parameters.empty() ? "none" : fmt::format("--{}", fmt::join(parameters, ", --"));
-}
-
 // Parameters belong to the scenes of the catalogue; `own` is null for a scene file.
 void refuse_foreign_parameters(const std::string& scene, const SceneEntry* own, const GivenOptions& given) {
     const std::vector<std::string> known = own ? names_of(own->parameters) : std::vector<std::string>();
@@ -49,7 +44,7 @@ void refuse_foreign_parameters(const std::string& scene, const SceneEntry* own, 
             const auto* chosen = given.find(parameter.name);
             if (!chosen || std::ranges::find(known, parameter.name) != known.end()) continue;
             throw UsageError("{} {}: scene {} has no such parameter; it has {}", chosen->field, chosen->text, scene,
-                             list_of(known));
+                             known.empty() ? "none" : fmt::format("--{}", fmt::join(known, ", --")));
         }
     }
 }
@@ -193,10 +188,7 @@ Choices understand(const std::string& scene, GivenOptions given) {
         // A resumed run has already been started: no preset changes its start kick.
         const bool is_over = choices.description.state && name == "start-kick";
         if (above.preset_decides(name) && !is_over) continue;
-        const bool is_file = std::ranges::any_of(simulation_options(), [&](const SimulationOption& option) {
-            return option.name == name && option.reads_file;
-        });
-        const bool beside = is_file && !find_scene(scene);
+        const bool beside = name == measured_option && !find_scene(scene);
         given.add(name, beside ? (std::filesystem::path(scene).parent_path() / text).string() : text, field);
     }
     choices.settings = understand_settings(given);
@@ -215,9 +207,7 @@ SceneDescription spelled_out(const Choices& choices) {
     SceneDescription description = choices.description;
     description.options["preset"] = choices.settings.preset;
     for (const auto& [name, text] : texts_of(choices.settings)) description.options[name] = text;
-    for (const SimulationOption& option : simulation_options()) {
-        if (option.reads_file) description.options.erase(option.name);
-    }
+    description.options.erase(std::string(measured_option));
     return description;
 }
 

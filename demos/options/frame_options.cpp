@@ -13,16 +13,16 @@ namespace pushfactor::demos {
 
 namespace {
 
-constexpr int max_side = 4096;
+constexpr int min_side = 16, max_side = 4096;
 constexpr int most_samples = 256;
 constexpr std::size_t most_panels = 16;
 
 bool set_size(FrameChoices& choices, std::string_view text) {
     const auto x = text.find('x');
     if (x == std::string_view::npos) return false;
-    const auto width = parse_integer(text.substr(0, x));
-    const auto height = parse_integer(text.substr(x + 1));
-    if (!width || !height || std::min(*width, *height) < 16 || std::max(*width, *height) > max_side) return false;
+    const auto width = parse_integer(text.substr(0, x), min_side, max_side);
+    const auto height = parse_integer(text.substr(x + 1), min_side, max_side);
+    if (!width || !height) return false;
     choices.width = *width;
     choices.height = *height;
     return true;
@@ -41,16 +41,6 @@ std::optional<std::vector<Rational>> parse_times(std::string_view text) {
         times.push_back(*time);
     }
     return times;
-}
-
-std::optional<int> parse_samples(std::string_view text) {
-    const auto samples = parse_integer(text);
-    return samples && *samples >= 1 && *samples <= most_samples ? samples : std::nullopt;
-}
-
-std::optional<double> parse_share(std::string_view text) {
-    const auto share = parse_number(text);
-    return share && *share >= 0.0 && *share <= 1.0 ? share : std::nullopt;
 }
 
 std::optional<bool> parse_switch(std::string_view text) {
@@ -72,8 +62,8 @@ std::string text_of(const std::optional<Comparison>& compare) {
 }
 
 // Sets a member to what `parse` makes of the text, if anything.
-template <typename Value, typename Member>
-auto parsed(std::optional<Value> (*parse)(std::string_view), Member FrameChoices::*member) {
+template <typename Parse, typename Member>
+auto parsed(Parse parse, Member FrameChoices::*member) {
     return [=](FrameChoices& choices, std::string_view text) {
         const auto value = parse(text);
         if (value) choices.*member = *value;
@@ -110,12 +100,14 @@ const std::array frame_table{
     FrameOption{
         {"samples", "N",
          "renderings averaged per picture: smoother edges and soft shadows; from 16 on ambient occlusion too [1]",
-         fmt::format("a whole number from 1 to {}", most_samples), parsed(parse_samples, &FrameChoices::samples),
+         fmt::format("a whole number from 1 to {}", most_samples),
+         parsed([](std::string_view text) { return parse_integer(text, 1, most_samples); }, &FrameChoices::samples),
          [](const FrameChoices& c) { return c.samples == 1 ? "" : std::to_string(c.samples); }}},
     FrameOption{{"shutter", "X",
                  "motion blur: the share of a frame's time, 0 to 1, over which its --samples are spread; poses "
                  "between steps are interpolated, so take a small --dt for exact blur [0]",
-                 "a number from 0 to 1", parsed(parse_share, &FrameChoices::shutter),
+                 "a number from 0 to 1",
+                 parsed([](std::string_view text) { return parse_number(text, 0.0, 1.0); }, &FrameChoices::shutter),
                  [](const FrameChoices& c) { return c.shutter == 0.0 ? "" : to_text(c.shutter); }}},
     FrameOption{{"camera", "WHAT",
                  "scene (its own), FILE.json (keys of a scene file's camera), fit (close, with all motion in view, "
@@ -230,10 +222,9 @@ Frame Frames::operator[](std::size_t n) const {
 
 bool Frames::has(std::string_view name) const {
     if (are_stills()) return std::ranges::find(stills_, name, &Frame::name) != stills_.end();
-    const auto number = name.starts_with("frame_") && name.ends_with(".png")
-                            ? parse_integer(name.substr(6, name.size() - 10))
-                            : std::nullopt;
-    return number && *number >= 0 && static_cast<std::size_t>(*number) < size_ &&
+    if (!name.starts_with("frame_") || !name.ends_with(".png")) return false;
+    const auto number = parse_integer(name.substr(6, name.size() - 10), 0);
+    return number && static_cast<std::size_t>(*number) < size_ &&
            (*this)[static_cast<std::size_t>(*number)].name == name;
 }
 

@@ -33,9 +33,8 @@ std::optional<std::vector<OverlayItem>> parse_overlay(std::string_view text) {
         if (colon != std::string_view::npos) {
             const bool trails = item.kind == OverlayKind::trails;
             std::optional<double>& number = trails ? item.seconds : item.units_a_metre;
-            number = parse_number(part.substr(colon + 1));
-            if (!(trails || has_arrows(item.kind)) || !number || *number < least || *number > most)
-                return std::nullopt;
+            number = parse_number(part.substr(colon + 1), least, most);
+            if (!(trails || has_arrows(item.kind)) || !number) return std::nullopt;
         }
         const bool twice = std::ranges::any_of(overlay, [&](const OverlayItem& other) {
             return other.kind == item.kind || (colours_bodies(other.kind) && colours_bodies(item.kind));
@@ -65,8 +64,8 @@ std::optional<CameraChoice> parse_camera(std::string_view text) {
         bool& given = part == "fit" ? choice.fit : is_orbit ? turns : has_view;
         if (std::exchange(given, true)) return std::nullopt;
         if (is_orbit) {
-            const auto speed = parse_number(part.substr(orbit.size()));
-            if (!speed || std::abs(*speed) > 1e4) return std::nullopt;
+            const auto speed = parse_number(part.substr(orbit.size()), -1e4, 1e4);
+            if (!speed) return std::nullopt;
             choice.degrees_a_second = *speed;
         } else if (part != "fit" && part != "scene") {
             if (!part.ends_with(".json") && !std::filesystem::is_regular_file(part)) return std::nullopt;

@@ -19,12 +19,11 @@ namespace {
 using engine::PushKind;
 using engine::RowOrder;
 
-// Assigns the parsed number to `field` if it is in [low, high].
-template <typename Field>
-bool take(Field& field, std::optional<int> parsed, int low, int high) {
-    if (!parsed || *parsed < low || *parsed > high) return false;
-    field = *parsed;
-    return true;
+// Assigns what was parsed to `field`, if it was.
+template <typename Field, typename Value>
+bool take(Field& field, const std::optional<Value>& parsed) {
+    if (parsed) field = *parsed;
+    return parsed.has_value();
 }
 
 bool set_seconds(Settings& s, std::string_view text) {
@@ -44,9 +43,9 @@ bool set_dt(Settings& s, std::string_view text) {
 
 bool set_tolerance(Settings& s, std::string_view text) {
     const auto slash = text.find('/');
-    const auto high = parse_number(text.substr(0, slash));
-    const auto low = slash == std::string_view::npos ? high : parse_number(text.substr(slash + 1));
-    if (!high || !low || *low < 0.0 || *high < *low || *high > 1.0) return false;
+    const auto high = parse_number(text.substr(0, slash), 0.0, 1.0);
+    const auto low = slash == std::string_view::npos ? high : parse_number(text.substr(slash + 1), 0.0, 1.0);
+    if (!high || !low || *high < *low) return false;
     s.tolerance_high = *high;
     s.tolerance_low = *low;
     return true;
@@ -57,8 +56,8 @@ bool set_small_steps(Settings& s, std::string_view text) {
     if (text != "auto") {
         const auto by = text.find('x');
         division.emplace();
-        if (by == std::string_view::npos || !take(division->steps, parse_integer(text.substr(0, by)), 1, 1000) ||
-            !take(division->sweeps, parse_integer(text.substr(by + 1)), 1, 1000)) {
+        if (by == std::string_view::npos || !take(division->steps, parse_integer(text.substr(0, by), 1, 1000)) ||
+            !take(division->sweeps, parse_integer(text.substr(by + 1), 1, 1000))) {
             return false;
         }
     }
@@ -74,10 +73,8 @@ bool set_solver(Settings& s, std::string_view text) {
 }
 
 bool set_max_push_speed(Settings& s, std::string_view text) {
-    const auto speed = parse_number(text);
-    if (!speed || *speed <= 0.0 || *speed > 1e9) return false;
-    s.contacts.max_speed = *speed;
-    return true;
+    const auto speed = parse_number(text, 0.0, 1e9);
+    return speed != 0.0 && take(s.contacts.max_speed, speed);
 }
 
 std::string solver_names() {
@@ -92,16 +89,13 @@ template <typename Field>
 SimulationOption number(const char* name, const char* placeholder, const char* help, double low, double high,
                         Field field, const char* what = "a number") {
     const auto set = [=](Settings& settings, std::string_view text) {
-        const auto value = parse_number(text);
-        if (!value || *value < low || *value > high) return false;
-        std::invoke(field, settings) = *value;
-        return true;
+        return take(std::invoke(field, settings), parse_number(text, low, high));
     };
     const auto get = [=](const Settings& settings) {
         const std::optional<double> value = std::invoke(field, settings);
         return value ? to_text(*value) : "";
     };
-    return {{name, placeholder, help, fmt::format("{} from {} to {}", what, low, high), set, get}};
+    return {name, placeholder, help, fmt::format("{} from {} to {}", what, low, high), set, get};
 }
 
 // `words`: the texts of the values, in display order.
@@ -119,7 +113,7 @@ SimulationOption word(const char* name, const char* placeholder, const char* hel
     const auto get = [=](const Settings& settings) {
         return std::string(std::ranges::find(words, std::invoke(field, settings), &Word::second)->first);
     };
-    return {{name, placeholder, help, fmt::format("one of {}", fmt::join(texts, ", ")), set, get}};
+    return {name, placeholder, help, fmt::format("one of {}", fmt::join(texts, ", ")), set, get};
 }
 
 template <typename Field>
@@ -131,32 +125,32 @@ SimulationOption either(const char* name, const char* placeholder, const char* h
 }
 
 const std::array simulation_table{
-    SimulationOption{{"seconds", "S", "simulated time in s, cut to whole steps [10]",
-                      "a number of seconds from 0 to 1e6, or a fraction like 1001/1000", set_seconds,
-                      [](const Settings& s) { return to_text(s.seconds); }}},
-    SimulationOption{{"dt", "S", "time step in s, exact: 1/60 is a fraction [1/60]",
-                      "a time from 1e-6 to 1 s, as a fraction like 1/60 or a decimal", set_dt,
-                      [](const Settings& s) { return to_text(s.dt); }}},
+    SimulationOption{"seconds", "S", "simulated time in s, cut to whole steps [10]",
+                     "a number of seconds from 0 to 1e6, or a fraction like 1001/1000", set_seconds,
+                     [](const Settings& s) { return to_text(s.seconds); }},
+    SimulationOption{"dt", "S", "time step in s, exact: 1/60 is a fraction [1/60]",
+                     "a time from 1e-6 to 1 s, as a fraction like 1/60 or a decimal", set_dt,
+                     [](const Settings& s) { return to_text(s.dt); }},
     SimulationOption{
-        {"substeps", "N|auto",
-         "engine steps per step; auto: as many as bars and joints need that are under tension or turn fast",
-         "a whole number from 1 to 10000, or auto",
-         [](Settings& s, std::string_view t) {
-             if (t == "auto") s.substeps.reset();
-             return t == "auto" || take(s.substeps, parse_integer(t), 1, 10000);
-         },
-         [](const Settings& s) { return s.substeps ? std::to_string(*s.substeps) : "auto"; }}},
-    SimulationOption{{"solver", "NAME", "solver of the system equation: " + solver_names(),
-                      "one of " + solver_names(), set_solver, [](const Settings& s) { return s.solver; }}},
+        "substeps", "N|auto",
+        "engine steps per step; auto: as many as bars and joints need that are under tension or turn fast",
+        "a whole number from 1 to 10000, or auto",
+        [](Settings& s, std::string_view t) {
+            if (t == "auto") s.substeps.reset();
+            return t == "auto" || take(s.substeps, parse_integer(t, 1, 10000));
+        },
+        [](const Settings& s) { return s.substeps ? std::to_string(*s.substeps) : "auto"; }},
+    SimulationOption{"solver", "NAME", "solver of the system equation: " + solver_names(),
+                     "one of " + solver_names(), set_solver, [](const Settings& s) { return s.solver; }},
     SimulationOption{
-        {"iterations", "N", "maximum iterations per solve", "a whole number from 1 to 1000000",
-         [](Settings& s, std::string_view t) { return take(s.iterations, parse_integer(t), 1, 1000000); },
-         [](const Settings& s) { return std::to_string(s.iterations); }}},
+        "iterations", "N", "maximum iterations per solve", "a whole number from 1 to 1000000",
+        [](Settings& s, std::string_view t) { return take(s.iterations, parse_integer(t, 1, 1000000)); },
+        [](const Settings& s) { return std::to_string(s.iterations); }},
     SimulationOption{
-        {"tolerance", "HIGH[/LOW]",
-         "residual in m/s: cached forces are kept up to HIGH, a solve stops at LOW; 0: always all iterations",
-         "HIGH or HIGH/LOW in m/s with 0 <= LOW <= HIGH <= 1", set_tolerance,
-         [](const Settings& s) { return to_text(s.tolerance_high) + "/" + to_text(s.tolerance_low); }}},
+        "tolerance", "HIGH[/LOW]",
+        "residual in m/s: cached forces are kept up to HIGH, a solve stops at LOW; 0: always all iterations",
+        "HIGH or HIGH/LOW in m/s with 0 <= LOW <= HIGH <= 1", set_tolerance,
+        [](const Settings& s) { return to_text(s.tolerance_high) + "/" + to_text(s.tolerance_low); }},
     word<Scheme>("scheme", "NAME",
                  "how a step is integrated: whole (3.2); small-steps (many per step for islands without an "
                  "exact solution); auto (small-steps with solver auto); rattle, rattle4, rattle6 (order 2, 4, "
@@ -169,12 +163,12 @@ const std::array simulation_table{
                   {"rattle6", Scheme::rattle6}},
                  &Settings::scheme),
     SimulationOption{
-        {"small-steps", "NxK",
-         "N small steps with at least K sweeps per solve; auto: 16, or 8 where more than 2 % of the bodies move",
-         "auto or NxK with whole numbers from 1 to 1000", set_small_steps,
-         [](const Settings& s) {
-             return s.small_steps ? fmt::format("{}x{}", s.small_steps->steps, s.small_steps->sweeps) : "auto";
-         }}},
+        "small-steps", "NxK",
+        "N small steps with at least K sweeps per solve; auto: 16, or 8 where more than 2 % of the bodies move",
+        "auto or NxK with whole numbers from 1 to 1000", set_small_steps,
+        [](const Settings& s) {
+            return s.small_steps ? fmt::format("{}x{}", s.small_steps->steps, s.small_steps->sweeps) : "auto";
+        }},
     word<PushKind>(
         "push", "KIND", "how contacts correct penetration: none, persistent, single-frame",
         {{"none", PushKind::none}, {"persistent", PushKind::persistent}, {"single-frame", PushKind::single_frame}},
@@ -182,12 +176,10 @@ const std::array simulation_table{
     number(
         "beta", "X", "share of the penetration that one step corrects", 0, 1,
         [](auto& s) -> auto& { return s.contacts.beta; }),
-    SimulationOption{{"max-push-speed", "V",
-                      "maximum speed at which contacts correct penetration, in m/s [no limit]",
-                      "a speed above 0 and up to 1e9 m/s", set_max_push_speed,
-                      [](const Settings& s) {
-                          return std::isfinite(s.contacts.max_speed) ? to_text(s.contacts.max_speed) : "";
-                      }}},
+    SimulationOption{
+        "max-push-speed", "V", "maximum speed at which contacts correct penetration, in m/s [no limit]",
+        "a speed above 0 and up to 1e9 m/s", set_max_push_speed,
+        [](const Settings& s) { return std::isfinite(s.contacts.max_speed) ? to_text(s.contacts.max_speed) : ""; }},
     word<PushKind>(
         "distance-push", "KIND",
         "how bars and joints correct their errors: none, persistent, single-frame, curve (what turning leaves "
@@ -235,25 +227,23 @@ const std::array simulation_table{
         "rotation", "NAME", "orientation step: paper (3.2.4), exponential (12.4.1), splitting",
         {{"paper", Rotation::paper}, {"exponential", Rotation::exponential}, {"splitting", Rotation::splitting}},
         &Settings::rotation),
-    SimulationOption{
-        {"measured", "FILE",
-         "poses that were measured, as --trajectory writes them: their bodies are drawn too, in ivory, "
-         "and the distance from them is in the summary and --errors",
-         "a file that ends in .csv",
-         [](Settings& s, std::string_view t) {
-             if (!t.ends_with(".csv")) return false;
-             s.measured = t;
-             return true;
-         },
-         [](const Settings& s) { return s.measured; }},
-        true},
-    SimulationOption{{"threads", "N|all", "threads per step; the results are bit-identical for any number [all]",
-                      "all or an integer from 1 to 256",
-                      [](Settings& s, std::string_view t) {
-                          if (t == "all") s.threads = 0;
-                          return t == "all" || take(s.threads, parse_integer(t), 1, 256);
-                      },
-                      [](const Settings& s) { return s.threads == 0 ? "all" : std::to_string(s.threads); }}},
+    SimulationOption{"measured", "FILE",
+                     "poses that were measured, as --trajectory writes them: their bodies are drawn too, in ivory, "
+                     "and the distance from them is in the summary and --errors",
+                     "a file that ends in .csv",
+                     [](Settings& s, std::string_view t) {
+                         if (!t.ends_with(".csv")) return false;
+                         s.measured = t;
+                         return true;
+                     },
+                     [](const Settings& s) { return s.measured; }},
+    SimulationOption{"threads", "N|all", "threads per step; the results are bit-identical for any number [all]",
+                     "all or an integer from 1 to 256",
+                     [](Settings& s, std::string_view t) {
+                         if (t == "all") s.threads = 0;
+                         return t == "all" || take(s.threads, parse_integer(t, 1, 256));
+                     },
+                     [](const Settings& s) { return s.threads == 0 ? "all" : std::to_string(s.threads); }},
     either("rest", "on|off",
            "sleeping: skip bodies that stand in equilibrium for half a second until something wakes "
            "them; no effect in RATTLE steps",

@@ -12,10 +12,10 @@
 
 namespace pushfactor::demos {
 
-struct SimulationOption : TextOption<Settings> {
-    // A file that is read: in a scene file it is beside that, and what it adds is written as bodies.
-    bool reads_file = false;
-};
+using SimulationOption = TextOption<Settings>;
+
+// The option that is a file to read: in a scene file it is beside that, and what it adds is written as bodies.
+inline constexpr std::string_view measured_option = "measured";
 
 // In display order, without `preset`, which the others start from.
 std::span<const SimulationOption> simulation_options();

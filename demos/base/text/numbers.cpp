@@ -10,18 +10,17 @@
 
 namespace pushfactor::demos {
 
-std::optional<double> parse_number(std::string_view text) {
+std::optional<double> parse_number(std::string_view text, double low, double high) {
     if (text.starts_with('+')) text.remove_prefix(1);
     double value = 0.0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     const bool is_whole_text = error == std::errc{} && end == text.data() + text.size();
-    return is_whole_text && std::isfinite(value) ? std::optional(value) : std::nullopt;
+    return is_whole_text && value >= low && value <= high ? std::optional(value) : std::nullopt;
 }
 
-std::optional<int> parse_integer(std::string_view text) {
-    const auto value = parse_number(text);
-    if (!value || *value != static_cast<int>(std::clamp(*value, -2147483648.0, 2147483647.0))) return std::nullopt;
-    return static_cast<int>(*value);
+std::optional<int> parse_integer(std::string_view text, int low, int high) {
+    const auto value = parse_number(text, low, high);
+    return value && *value == std::trunc(*value) ? std::optional(static_cast<int>(*value)) : std::nullopt;
 }
 
 std::optional<double> parse_length_mm(std::string_view text) {

@@ -2,6 +2,7 @@
 // gives none.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -9,8 +10,12 @@
 
 namespace pushfactor::demos {
 
-std::optional<double> parse_number(std::string_view text);  // finite
-std::optional<int> parse_integer(std::string_view text);    // also as 25.0 or 1e3
+// Finite, and from `low` to `high`, both included.
+std::optional<double> parse_number(std::string_view text, double low = std::numeric_limits<double>::lowest(),
+                                   double high = std::numeric_limits<double>::max());
+// The same for a whole number, also as 25.0 or 1e3.
+std::optional<int> parse_integer(std::string_view text, int low = std::numeric_limits<int>::min(),
+                                 int high = std::numeric_limits<int>::max());
 
 // In millimetres; units are mm, cm, in and pt (1/72 inch). Nothing without a number and a unit.
 std::optional<double> parse_length_mm(std::string_view text);

@@ -130,7 +130,7 @@ std::vector<Option> all_options() {
 
 Line with(Line line, const Option& option, const std::string& place) {
     line.push_back("--" + option.name);
-    if (option.kind == OptionKind::flag) return line;
+    if (option.placeholder.empty()) return line;
     const auto found = values.find(option.name);
     std::string value = found == values.end() ? "1" : found->second;
     // A parameter of a family has a range of its own.
