@@ -34,9 +34,12 @@ std::string help_of_program(const std::vector<Entry>& entries) {
            exit_statuses;
 }
 
+std::string usage_of(const Entry& entry) {
+    return fmt::format("pushfactor {}{} [OPTIONS]", entry.name, entry.names.empty() ? "" : " " + entry.names);
+}
+
 std::string help_of_command(const Entry& entry) {
-    return fmt::format("{}\n\nUsage: pushfactor {}{} [OPTIONS]\n{}{}{}", entry.description, entry.name,
-                       entry.names.empty() ? "" : " " + entry.names, help_of(entry.options()),
+    return fmt::format("{}\n\nUsage: {}\n{}{}{}", entry.description, usage_of(entry), help_of(entry.options()),
                        entry.appendix ? entry.appendix() : "", exit_statuses);
 }
 
@@ -118,8 +121,7 @@ std::string reference_text() {
     for (std::string& heading : headings) heading = fmt::format("[{}](#{})", heading, anchor_of(heading));
     text += fmt::format("\n{}\n", fmt::join(headings, " -\n"));
     for (const Entry& entry : entries) {
-        text += fmt::format("\n## {}\n\n`pushfactor {}{} [OPTIONS]`: {}.\n", entry.name, entry.name,
-                            entry.names.empty() ? "" : " " + entry.names, entry.description);
+        text += fmt::format("\n## {}\n\n`{}`: {}.\n", entry.name, usage_of(entry), entry.description);
         std::vector<std::string> links;
         for (const SharedPart& part : parts) {
             if (std::ranges::find(part.commands, entry.name) == part.commands.end()) continue;
@@ -138,36 +140,26 @@ std::string reference_text() {
     return text;
 }
 
-namespace {
-
-// What is printed instead of carrying out a command.
-std::optional<std::string> information(const std::vector<Entry>& entries, const std::vector<std::string>& words) {
-    if (asks_for_help(words.front())) return help_of_program(entries);
-    if (words.front() == "--version") return "pushfactor " + version_text() + "\n";
-    if (words.front() == "--reference") return reference_text();
-    const Entry& entry = find_entry(entries, words.front());
-    const bool asks = std::any_of(words.begin(), std::ranges::find(words, "--"), asks_for_help);
-    return asks ? std::optional(help_of_command(entry)) : std::nullopt;
-}
-
-}  // namespace
-
 std::optional<CommandLine> parse_command_line(const std::vector<std::string>& words) {
     const std::vector<Entry> entries = command_entries();
     if (words.empty()) {
         throw UsageError("a command is missing: one of {} (see --help)", fmt::join(names_of(entries), ", "));
     }
-    if (const auto text = information(entries, words)) {
-        print(*text);
+    const auto only_print = [](const std::string& text) {
+        print(text);
         return std::nullopt;
-    }
+    };
+    if (asks_for_help(words.front())) return only_print(help_of_program(entries));
+    if (words.front() == "--version") return only_print("pushfactor " + version_text() + "\n");
+    if (words.front() == "--reference") return only_print(reference_text());
     const Entry& entry = find_entry(entries, words.front());
+    if (std::any_of(words.begin(), std::ranges::find(words, "--"), asks_for_help)) {
+        return only_print(help_of_command(entry));
+    }
     Words given(entry.name, entry.options(), {words.begin() + 1, words.end()});
-    CommandLine line{.command = entry.read(given), .outputs = {}, .folders = {}};
+    commands::AnyCommand command = entry.read(given);
     given.refuse_rest(entry.name);
-    line.outputs = given.outputs();
-    line.folders = given.folders();
-    return line;
+    return CommandLine{std::move(command), given.outputs(), given.folders()};
 }
 
 }  // namespace pushfactor::demos

@@ -18,21 +18,15 @@ namespace {
 
 using Kind = families::Family;
 
-std::string parameters_text(const Kind& family, const char* indent) {
-    std::string text;
-    for (const families::FamilyParameter& parameter : family.parameters) {
-        const Parameter& range = parameter.range;
-        text +=
-            fmt::format("{}{:<20} {} [{} to {}]\n", indent, fmt::format("--{} {}", range.name, range.placeholder),
-                        range.help, to_text(range.low), to_text(range.high));
-    }
-    return text;
-}
-
 void print_all() {
     for (const Kind& family : families::families()) {
-        print(fmt::format("{}\n    {}\n    {}\n{}\n", family.name, family.sentence, family.why,
-                          parameters_text(family, "    ")));
+        std::string text = fmt::format("{}\n    {}\n    {}\n", family.name, family.sentence, family.why);
+        for (const families::FamilyParameter& parameter : family.parameters) {
+            const Parameter& range = parameter.range;
+            text += fmt::format("    {:<20} {} [{} to {}]\n", fmt::format("--{} {}", range.name, range.placeholder),
+                                range.help, to_text(range.low), to_text(range.high));
+        }
+        print(text + "\n");
     }
 }
 

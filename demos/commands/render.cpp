@@ -30,13 +30,12 @@ namespace fs = std::filesystem;
 // One scene to render, and its output folder.
 struct Job {
     Sequence sequence;
-    fs::path folder;
-    std::string film;               // mark of its frames
-    std::vector<BuiltScene> built;  // of the panels
+    fs::path folder{};
+    std::vector<BuiltScene> built{};  // of the panels
 };
 
 Job understand_job(const std::string& scene, const Render& request) {
-    Job job{.sequence = plan_sequence(scene, request.given), .folder = {}, .film = {}, .built = {}};
+    Job job{.sequence = plan_sequence(scene, request.given)};
     job.sequence.shard = request.shard.value_or(Shard{});
     note_cut_time(job.sequence, request.given);
     // Before there is a folder for it.
@@ -48,7 +47,6 @@ Job understand_job(const std::string& scene, const Render& request) {
     }
     if (request.from_trajectory) pictures::require_poses_only(job.sequence, *request.from_trajectory);
     if (request.files.glb) pictures::check_glb(*request.files.glb, job.sequence.panels.front().choices);
-    job.film = film_mark(job.sequence.panels.front().choices, request.given);
     const fs::path base = request.out.value_or("out");
     job.folder = request.scenes.size() > 1 || !request.out ? base / job.sequence.scene() : base;
     return job;
@@ -123,8 +121,9 @@ void prepare_folder(const Job& job, const Render& request) {
 // Throws what a thread threw; keeps the frames so far.
 void make_frames(const Job& job, const Render& request, Session& session, Recorder* recorder,
                  const pictures::Pictures& pictures, pictures::StageTimes* times) {
-    const Rational rate = job.sequence.panels.front().choices.frames.film_rate();
-    pictures::FrameWriter writer(job.folder, request.png, request.video, rate, times, job.film);
+    const Choices& choices = job.sequence.panels.front().choices;
+    pictures::FrameWriter writer(job.folder, request.png, request.video, choices.frames.film_rate(), times,
+                                 film_mark(choices, request.given));
     ProgressBar bar(job.sequence.scene(), static_cast<long>(job.sequence.drawn_count()));
     take_frames(session, recorder, pictures, writer.queue(), times, [&](long drawn) { bar.show(drawn); });
     stop_if_interrupted(fmt::format("{} of {} frames were drawn{}", writer.queue().ended(),
