@@ -65,7 +65,7 @@ SectionContent push_error(FigureOutput& output, const Figure& figure) {
     };
     SectionContent content = draw_figure(output, figure, grid);
     content.caption = fmt::format(
-        "A box of 1 m falls at 9 m/s, one step of 1/30 s from frame to frame, with k = 1 (called beta in 5.2). In "
+        "A box of 1 m falls at 9 m/s, one step of 1/30 s from frame to frame, with beta = 1 (k in 8.1). In "
         "frame 2 it is {:.3f} m deep, and the push factor puts it onto the floor in frame 3. In the original "
         "method (above) the velocity that did so stays: {:.2f} m/s upwards in frame 4. The single-frame push "
         "(below) leaves {:.2f} m/s. Arrows: stored velocity, 12 m/s per metre.",
@@ -91,7 +91,7 @@ SectionContent stack_over_time(FigureOutput& output, const Figure& figure) {
     };
     SectionContent content = draw_figure(output, figure, grid);
     content.caption = fmt::format(
-        "Five cubes of 2.4 m and 1.2 kg. Above: the original method with 25 iterations from zero, k = 0.2, 60 "
+        "Five cubes of 2.4 m and 1.2 kg. Above: the original method with 25 iterations from zero, beta = 0.2, 60 "
         "steps per second; after 71 s the centre of the topmost cube is at {:.2f} m. Below: the default settings "
         "(single-frame push, contact caching); it is at {:.2f} m and stays there.",
         heights[0], heights[1]);
@@ -120,7 +120,8 @@ SectionContent intersecting_stack(FigureOutput& output, const Figure& figure) {
     const bool stands = std::ranges::all_of(speeds[1], [](const std::string& text) { return text == "0.0"; });
     content.caption = fmt::format(
         "Cubes of 2.4 m start inside each other by 0.4 m and in the ground by 1.2 m; preset paper (25 iterations "
-        "from zero, k = 0.2, 60 steps per second). After half a second the original method has them fly upwards at "
+        "from zero, beta = 0.2, 60 steps per second). After half a second the original method has them fly upwards "
+        "at "
         "{} m/s, from the lowest to the topmost. With the single-frame push and everything else equal they {}. "
         "Arrows: stored velocity, 10 m/s per metre.",
         fmt::join(speeds[0], ", "),

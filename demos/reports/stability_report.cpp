@@ -146,7 +146,9 @@ std::vector<Cell> line_of(const Trial& trial, const Verdict& verdict) {
             check ? text_of_measure(*check) : "",
             verdict.value,
             check ? text_of_bar(*check, check->bar) : "",
-            verdict.holds ? "yes" : "no",
+            !verdict.holds ? "no"
+            : verdict.met  ? "yes"
+                           : "known miss",
             trial.command()};
 }
 

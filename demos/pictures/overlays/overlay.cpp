@@ -174,7 +174,7 @@ std::vector<LegendEntry> entries_of(OverlayKind kind) {
             return {{"contact point", colour("vermilion"), ""}, {"within the margin", colour("ivory"), ""}};
         case OverlayKind::forces:
             return {{"contact force", colour("violet"), "N"},
-                    {"bar force", colour("green"), "N"},
+                    {"force of a bar or spring", colour("green"), "N"},
                     {"joint force", colour("orange"), "N"},
                     {"force from outside", colour("blue"), "N"}};
         case OverlayKind::torques:
@@ -282,7 +282,7 @@ void add_overlay(const BuiltScene& scene, OverlayKind kind, double units_a_metre
             picture.arrows.push_back({.from = place, .to = end, .colour = colour});
         }
     }
-    if (kind != OverlayKind::thrust || scene.world.rows().empty()) return;
+    if (kind != OverlayKind::thrust || !scene.contacts || !any_forces(scene)) return;
     for (const auto& [from, to] : line_of_thrust(pressure_centres(scene), scene)) {
         picture.arrows.push_back(
             {.from = to_glm(from), .to = to_glm(to), .colour = to_glm(entries[0].colour), .head = false});

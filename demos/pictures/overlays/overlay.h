@@ -16,7 +16,7 @@ namespace pushfactor::demos::pictures {
 // Of bodies that an overlay has nothing to say of.
 inline constexpr std::string_view colour_of_none = "ivory";
 
-// A line of an overlay's legend: "contact force" or "bar force" of forces, and so on.
+// A line of an overlay's legend: "contact force" or "joint force" of forces, and so on.
 struct LegendEntry {
     std::string name;
     Colour colour;

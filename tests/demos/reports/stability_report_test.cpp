@@ -54,14 +54,19 @@ TEST_CASE("the quick stability report holds, shows every end, and its commands s
     CHECK(lines.front() == std::vector<std::string>{"case", "preset", "outcome", "expected", "measure", "value",
                                                     "bar", "holds", "command"});
     std::set<std::string> presets;
+    int misses = 0;
     for (std::size_t i = 1; i < lines.size(); ++i) {
         INFO(lines[i].front());
         REQUIRE(lines[i].size() == 9);
         presets.insert(lines[i][1]);
-        CHECK(lines[i][7] == "yes");
+        // The paper's method misses some bars, by as much as is known.
+        const bool may_miss = lines[i][3].find(" instead of the bar") != std::string::npos;
+        CHECK((lines[i][7] == "yes" || (may_miss && lines[i][7] == "known miss")));
+        misses += lines[i][7] == "known miss";
         CHECK(lines[i][8].starts_with("pushfactor run "));
     }
     CHECK(presets == std::set<std::string>{"default", "exact", "paper"});
+    CHECK(misses > 0);
 
     const std::string page = folder.read("index.html");
     check_page(page);
