@@ -1,7 +1,9 @@
 #include "demos/pictures/draw_list.h"
 
 #include "demos/base/text/errors.h"
+#include "demos/pictures/camera/framing.h"
 #include "demos/pictures/to_glm.h"
+#include "engine/base/index.h"
 #include "engine/collision/polyhedron.h"
 
 #include <algorithm>
@@ -26,7 +28,7 @@ template <typename Held>
 double smallest_radius(const Held& held, const BuiltScene& scene) {
     double radius = std::numeric_limits<double>::infinity();
     for (const int end : {held.body_a, held.body_b}) {
-        const auto i = static_cast<std::size_t>(end);
+        const std::size_t i = engine::at(end);
         if (i < scene.bodies.size() && scene.bodies[i].mass) {
             radius = std::min(radius, bounding_radius(scene.bodies[i]));
         }
@@ -38,11 +40,6 @@ double smallest_radius(const Held& held, const BuiltScene& scene) {
 double bar_radius(const engine::Distance& distance, const BuiltScene& scene) {
     const double radius = is_ball_joint(distance) ? 0.04 : std::min(0.015 * distance.length, 0.04);
     return std::min(radius, 0.13 * smallest_radius(distance, scene));
-}
-
-// Visible from the scene's usual view.
-double least_radius(const BuiltScene& scene) {
-    return 0.0015 * (scene.view.eye - scene.view.target).norm();
 }
 
 void add_bar(const Vector3& from, const Vector3& to, double radius, renderer::Picture& picture) {
@@ -66,14 +63,11 @@ void add_spring(const Vector3& from, const Vector3& to, double length, double ra
 
 void add_link(const BuiltScene& scene, const Link& link, renderer::Picture& picture) {
     const auto& bodies = scene.world.bodies;
-    const engine::Body& a = bodies[static_cast<std::size_t>(link.body_a)];
-    const engine::Body& b = bodies[static_cast<std::size_t>(link.body_b)];
-    const Vector3 from = a.position + a.orientation * link.point_a;
-    const Vector3 to = b.position + b.orientation * link.point_b;
+    const auto [from, to] = engine::span_of(link, bodies);
     if (link.spring_length) {
         add_spring(from, to, *link.spring_length, link.radius, picture);
     } else {
-        const Vector3 half = a.orientation * link.half_pin;
+        const Vector3 half = bodies[engine::at(link.body_a)].orientation * link.half_pin;
         add_bar(from - half, to + half, link.radius, picture);
     }
 }
@@ -111,15 +105,15 @@ Polygon clip(const Polygon& polygon, const Vector3& normal, const Vector3& point
     return result;
 }
 
-double area(const Polygon& polygon) {
+}  // namespace
+
+Vector3 area_of(const Polygon& polygon) {
     Vector3 twice = Vector3::Zero();
     for (std::size_t i = 2; i < polygon.size(); ++i) {
         twice += (polygon[i - 1] - polygon[0]).cross(polygon[i] - polygon[0]);
     }
-    return 0.5 * twice.norm();
+    return 0.5 * twice;
 }
-
-}  // namespace
 
 bool is_level(const engine::Body& plane) {
     return (plane.orientation * Vector3::UnitY()).y() > 0.9999;
@@ -137,7 +131,7 @@ std::optional<double> ground_height(const BuiltScene& scene) {
 std::vector<Vector3> plane_outline(const BuiltScene& scene, const engine::Body& plane) {
     const engine::Matrix3 frame = plane.orientation.toRotationMatrix();
     const Vector3 up = frame.col(1);
-    const double reach = (scene.view.eye - scene.view.target).norm();
+    const double reach = distance_of(scene.view);
     const Vector3 middle = scene.view.target - up * up.dot(scene.view.target - plane.position);
 
     const Vector3 u = reach * frame.col(0);
@@ -150,7 +144,7 @@ std::vector<Vector3> plane_outline(const BuiltScene& scene, const engine::Body& 
     }
     // Cut at a rim that is inside the picture.
     polygon = clip(polygon, -Vector3::UnitY(), scene.view.target + Vector3(0, 0.09 * reach, 0));
-    return area(polygon) > 1e-4 * reach * reach ? polygon : Polygon{};
+    return area_of(polygon).norm() > 1e-4 * reach * reach ? polygon : Polygon{};
 }
 
 renderer::Picture draw_list(const BuiltScene& scene, const View& view) {
@@ -208,7 +202,7 @@ void require_drawable(const BuiltScene& scene) {
 
 std::vector<Link> links_of(const BuiltScene& scene) {
     std::vector<Link> links;
-    const double least = least_radius(scene);
+    const double least = 0.0015 * distance_of(scene.view);  // m, visible from the scene's usual view
     if (scene.distances) {
         for (const engine::Distance& distance : scene.distances->distances()) {
             Link link{.body_a = distance.body_a,

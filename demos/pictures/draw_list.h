@@ -34,6 +34,10 @@ std::optional<double> ground_height(const BuiltScene& scene);
 // counter-clockwise as seen from above the plane. None if the area is negligible.
 std::vector<engine::Vector3> plane_outline(const BuiltScene& scene, const engine::Body& plane);
 
+// Of a flat polygon [m^2]: its size is the area, and the corners run counter-clockwise as seen from where it
+// points.
+engine::Vector3 area_of(const std::vector<engine::Vector3>& polygon);
+
 // Throws UsageError for a body whose place or size is too large or too small for pictures and models, whose numbers
 // are floats.
 void require_drawable(const BuiltScene& scene);

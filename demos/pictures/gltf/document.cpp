@@ -2,6 +2,7 @@
 
 #include "demos/base/platform/version.h"
 #include "demos/base/text/errors.h"
+#include "engine/base/index.h"
 
 #include <fmt/format.h>
 
@@ -39,9 +40,7 @@ double shortest(float value) {
 }
 
 std::string name_of(const Paint& paint) {
-    const auto byte = [](float part) { return std::lround(255.0f * part); };
-    std::string name =
-        fmt::format("#{:02x}{:02x}{:02x}", byte(paint.colour.r), byte(paint.colour.g), byte(paint.colour.b));
+    std::string name = fmt::format("#{:06x}", number_of({"", paint.colour.r, paint.colour.g, paint.colour.b}));
     for (const Colour& colour : palette) {
         if (to_glm(colour) == paint.colour) name = colour.name;
     }
@@ -121,16 +120,16 @@ int Document::material(const Paint& paint) {
 }
 
 int Document::mesh(int geometry, const std::string& name, const std::vector<Paint>& paints) {
-    std::vector<PaintKey> keys;
-    for (const Paint& paint : paints) keys.push_back(paint.key());
-    const auto [known, is_new] = meshes_.try_emplace({geometry, keys}, static_cast<int>(meshes_.size()));
+    std::vector<int> materials;
+    for (const Paint& paint : paints) materials.push_back(material(paint));
+    const auto [known, is_new] = meshes_.try_emplace({geometry, materials}, static_cast<int>(meshes_.size()));
     if (!is_new) return known->second;
-    const Shape& shape = shapes_[static_cast<std::size_t>(geometry)];
+    const Shape& shape = shapes_[engine::at(geometry)];
     Json parts = Json::array();
     for (std::size_t i = 0; i < shape.parts.size(); ++i) {
         parts.push_back({{"attributes", {{"POSITION", shape.positions}, {"NORMAL", shape.normals}}},
                          {"indices", shape.parts[i]},
-                         {"material", material(paints[i])}});
+                         {"material", materials[i]}});
     }
     root_["meshes"].push_back({{"name", name}, {"primitives", std::move(parts)}});
     return known->second;
@@ -139,14 +138,14 @@ int Document::mesh(int geometry, const std::string& name, const std::vector<Pain
 int Document::add_node(const Json& properties, int parent) {
     const int node = static_cast<int>(nodes_.size());
     nodes_.push_back(properties);
-    Json& list = parent < 0 ? root_["scenes"][0]["nodes"] : nodes_[static_cast<std::size_t>(parent)]["children"];
+    Json& list = parent < 0 ? root_["scenes"][0]["nodes"] : nodes_[engine::at(parent)]["children"];
     list.push_back(node);
     return node;
 }
 
 void Document::add_camera(int node, double vertical_angle, double aspect, double near, double far) {
     Json& cameras = root_["cameras"];
-    nodes_[static_cast<std::size_t>(node)]["camera"] = cameras.size();
+    nodes_[engine::at(node)]["camera"] = cameras.size();
     cameras.push_back(
         {{"type", "perspective"},
          {"perspective", {{"aspectRatio", aspect}, {"yfov", vertical_angle}, {"znear", near}, {"zfar", far}}}});
@@ -156,7 +155,7 @@ void Document::add_sun(int node, const glm::vec3& colour, double lux) {
     const char* const extension = "KHR_lights_punctual";
     root_["extensionsUsed"] = Json::array({extension});
     Json& lights = root_["extensions"][extension]["lights"];
-    nodes_[static_cast<std::size_t>(node)]["extensions"][extension]["light"] = lights.size();
+    nodes_[engine::at(node)]["extensions"][extension]["light"] = lights.size();
     lights.push_back({{"name", "sun"},
                       {"type", "directional"},
                       {"color", {shortest(colour.r), shortest(colour.g), shortest(colour.b)}},
@@ -168,15 +167,13 @@ int Document::add_times(const Values& times) {
     accessors_.back()["min"] = Json::array({shortest(times.front())});
     accessors_.back()["max"] = Json::array({shortest(times.back())});
     for (const float time : times) append(times_, time);
-    key_counts_.resize(accessors_.size());
-    key_counts_.back() = times.size();
     return accessor;
 }
 
 void Document::add_channel(int node, Path path, int times, bool step, std::function<Values()> values) {
     const bool rotation = path == Path::rotation;
     if (is_constant(values(), rotation ? 4 : 3)) return;
-    const std::size_t count = key_counts_[static_cast<std::size_t>(times)];
+    const auto count = accessors_[engine::at(times)]["count"].get<std::size_t>();
     Json sampler{{"input", times},
                  {"output", add_accessor(animation_view, animation_, floating, count, rotation ? "VEC4" : "VEC3")}};
     if (step) sampler["interpolation"] = "STEP";  // LINEAR is the default
@@ -193,7 +190,7 @@ void Document::finish_views() {
     std::size_t offset = 0;
     const auto add = [&](int view, std::size_t bytes, Json properties) {
         if (bytes == 0) return;
-        number[static_cast<std::size_t>(view)] = static_cast<int>(root_["bufferViews"].size());
+        number[engine::at(view)] = static_cast<int>(root_["bufferViews"].size());
         Json made{{"buffer", 0}, {"byteOffset", offset}, {"byteLength", bytes}};
         made.update(properties);
         root_["bufferViews"].push_back(std::move(made));
@@ -203,7 +200,7 @@ void Document::finish_views() {
     add(index_view, indices_.size(), {{"target", element_array_buffer}});
     add(time_view, times_.size(), Json::object());
     add(animation_view, animation_, Json::object());
-    if (offset > 0) root_["buffers"] = Json::array({Json{{"byteLength", offset}}});
+    root_["buffers"] = Json::array({Json{{"byteLength", offset}}});
     for (Json& accessor : accessors_) {
         accessor["bufferView"] = number[accessor["bufferView"].get<std::size_t>()];
     }
@@ -212,15 +209,15 @@ void Document::finish_views() {
 void Document::write(OutputFile& file) {
     finish_views();
     root_["scene"] = 0;
-    if (!nodes_.empty()) root_["nodes"] = nodes_;
-    if (!accessors_.empty()) root_["accessors"] = accessors_;
+    root_["nodes"] = nodes_;
+    root_["accessors"] = accessors_;
     if (!channels_.empty())
         root_["animations"] = Json::array({Json{{"channels", channels_}, {"samplers", samplers_}}});
     std::string text = json_text(root_, -1);
     pad(text, ' ');
 
     const std::size_t binary = vertices_.size() + indices_.size() + times_.size() + animation_;
-    const std::size_t all = 12 + 8 + text.size() + (binary > 0 ? 8 + binary : 0);
+    const std::size_t all = 12 + 8 + text.size() + 8 + binary;
     if (all > std::numeric_limits<std::uint32_t>::max()) {
         throw OutputError("{}: {:.1f} GB are more than the 4.29 GB of a .glb file", file.name(),
                           1e-9 * static_cast<double>(all));
@@ -231,7 +228,6 @@ void Document::write(OutputFile& file) {
     }
     file.write(start + "JSON");
     file.write(text);
-    if (binary == 0) return;
     std::string head;
     append(head, static_cast<std::uint32_t>(binary));
     file.write(head + std::string("BIN\0", 4));

@@ -10,7 +10,7 @@
 #include <functional>
 #include <map>
 #include <string>
-#include <tuple>
+#include <utility>
 #include <vector>
 
 namespace pushfactor::demos::pictures::gltf {
@@ -51,11 +51,10 @@ class Document {
     // channel: the node is there already.
     void add_channel(int node, Path path, int times, bool step, std::function<Values()> values);
 
-    // Throws OutputError; also for more than a .glb can hold (4.4).
+    // After nodes and times were added. Throws OutputError; also for more than a .glb can hold (4.4).
     void write(OutputFile& file);
 
   private:
-    using PaintKey = std::array<float, 5>;
     struct Shape {
         int positions = 0, normals = 0;
         std::vector<int> parts;  // accessors
@@ -68,9 +67,8 @@ class Document {
     Json root_;
     std::vector<Json> accessors_, nodes_, samplers_, channels_;
     std::vector<Shape> shapes_;
-    std::vector<std::size_t> key_counts_;  // of accessors of times
-    std::map<PaintKey, int> materials_;
-    std::map<std::tuple<int, std::vector<PaintKey>>, int> meshes_;
+    std::map<std::array<float, 5>, int> materials_;                        // by Paint::key()
+    std::map<std::pair<int, std::vector<int>>, int> meshes_;               // by geometry and materials
     std::string vertices_, indices_, times_;                               // bytes
     std::size_t animation_ = 0;                                            // bytes of all channels
     std::vector<std::pair<std::size_t, std::function<Values()>>> values_;  // with their number of bytes

@@ -1,5 +1,8 @@
 #include "demos/pictures/gltf/geometry.h"
 
+#include "demos/pictures/draw_list.h"
+#include "renderer/meshes/meshes.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -114,15 +117,12 @@ Geometry arrow() {
 }
 
 Geometry polygon(const std::vector<engine::Vector3>& corners) {
-    engine::Vector3 normal = engine::Vector3::Zero();
-    for (std::size_t i = 2; i < corners.size(); ++i) {
-        normal += (corners[i - 1] - corners[0]).cross(corners[i] - corners[0]);
-    }
+    const glm::vec3 normal = to_glm(area_of(corners).normalized());
     Geometry geometry;
     Triangles fan;
     for (std::size_t i = 0; i < corners.size(); ++i) {
         geometry.positions.push_back(to_glm(corners[i]));
-        geometry.normals.push_back(to_glm(normal.normalized()));
+        geometry.normals.push_back(normal);
         if (i < 2) continue;
         for (const std::size_t corner : {std::size_t{0}, i - 1, i}) {
             fan.push_back(static_cast<std::uint16_t>(corner));

@@ -3,7 +3,6 @@
 
 #include "demos/pictures/to_glm.h"
 #include "renderer/meshes/convex_shape.h"
-#include "renderer/meshes/meshes.h"
 
 #include <cstdint>
 #include <vector>
