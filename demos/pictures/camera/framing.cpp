@@ -75,14 +75,13 @@ double half_tangent(const View& view) {
     return std::tan(0.5 * view.field_of_view * std::numbers::pi / 180.0);
 }
 
-Reach reach_of(std::span<const Ball> balls, const View& view) {
+double reach_across(std::span<const Ball> balls, const View& view) {
     const Axes axes = axes_of(view);
-    Reach reach;
+    double reach = 0.0;
     for (const Ball& ball : balls) {
         const Vector3 offset = ball.centre - view.eye;
         const double depth = std::max(offset.dot(axes.forward), 1e-6);
-        reach.across = std::max(reach.across, (std::abs(offset.dot(axes.right)) + ball.radius) / depth);
-        reach.up = std::max(reach.up, (std::abs(offset.dot(axes.up)) + ball.radius) / depth);
+        reach = std::max(reach, (std::abs(offset.dot(axes.right)) + ball.radius) / depth);
     }
     return reach;
 }

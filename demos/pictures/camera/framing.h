@@ -20,11 +20,8 @@ struct Axes {
 };
 Axes axes_of(const View& view);
 
-// Extent of the balls from the middle of the picture, as tangents of angles, horizontally and vertically.
-struct Reach {
-    double across = 0.0, up = 0.0;
-};
-Reach reach_of(std::span<const Ball> balls, const View& view);
+// How far the balls reach to the sides from the middle of the picture, as the tangent of an angle.
+double reach_across(std::span<const Ball> balls, const View& view);
 
 // Position in the picture of a point in front of the camera, 0 to 1 from the left and from the top.
 Eigen::Vector2d place_in_picture(const engine::Vector3& point, const View& view, double aspect);

@@ -40,7 +40,6 @@ Layout best_layout(const Size& sheet, int count, double across, double least_up)
 }
 
 renderer::Image assemble(const Layout& layout, const std::vector<renderer::Image>& pictures) {
-    if (pictures.size() == 1) return pictures.front();
     renderer::Image sheet = renderer::blank_image(layout.sheet.width, layout.sheet.height, glm::vec3(1.0f));
     for (std::size_t i = 0; i < pictures.size(); ++i) {
         const renderer::Rectangle place = layout.place(i);

@@ -27,7 +27,7 @@ Layout best_layout(const Size& sheet, int count, const std::function<double(cons
 // at least half height `least_up`.
 Layout best_layout(const Size& sheet, int count, double across, double least_up);
 
-// The pictures pasted into their cells; a single picture is the sheet.
+// The pictures pasted into their cells.
 renderer::Image assemble(const Layout& layout, const std::vector<renderer::Image>& pictures);
 
 }  // namespace pushfactor::demos::pictures

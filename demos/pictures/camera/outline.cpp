@@ -31,6 +31,12 @@ const std::vector<Vector3>& directions() {
     return all;
 }
 
+Eigen::AlignedBox3d box_of(std::span<const Vector3> points) {
+    Eigen::AlignedBox3d box;
+    for (const Vector3& point : points) box.extend(point);
+    return box;
+}
+
 Vector3 clamped(const Vector3& point, const Eigen::AlignedBox3d& box) {
     return point.cwiseMax(box.min()).cwiseMin(box.max());
 }
@@ -113,12 +119,6 @@ std::vector<Vector3> Outline::points() const {
     return points;
 }
 
-Eigen::AlignedBox3d Outline::box() const {
-    Eigen::AlignedBox3d box;
-    for (const Vector3& point : points()) box.extend(point);
-    return box;
-}
-
 void add_moving(const BuiltScene& scene, const Eigen::AlignedBox3d& near, Outline& outline) {
     const auto add = [&](const Ball& ball) { outline.add({clamped(ball.centre, near), ball.radius}); };
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
@@ -132,7 +132,7 @@ void add_moving(const BuiltScene& scene, const Eigen::AlignedBox3d& near, Outlin
 void add_support(const BuiltScene& scene, Outline& outline) {
     // So much of its size around the subject, for bodies and for walls.
     constexpr double beside = 0.25, wall = 0.5;
-    const Eigen::AlignedBox3d subject = outline.box();
+    const Eigen::AlignedBox3d subject = box_of(outline.points());
     const auto around = [&](double share) {
         if (subject.isEmpty()) return Eigen::AlignedBox3d(Vector3::Constant(-1e6), Vector3::Constant(1e6));
         const Vector3 reach = Vector3::Constant(share * subject.sizes().maxCoeff());
@@ -166,8 +166,7 @@ Subject subject_of(const BuiltScene& scene, const Outline& outline) {
 }
 
 Subject with_room(Subject subject, double above, double below) {
-    Eigen::AlignedBox3d box;
-    for (const Vector3& point : subject.points) box.extend(point);
+    const Eigen::AlignedBox3d box = box_of(subject.points);
     if (box.isEmpty()) return subject;
     const double height = box.sizes().y();
     const std::vector<Vector3> own = subject.points;

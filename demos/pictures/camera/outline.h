@@ -23,7 +23,6 @@ class Outline {
 
     bool empty() const { return farthest_.front().distance == -infinity; }
     std::vector<engine::Vector3> points() const;
-    Eigen::AlignedBox3d box() const;
 
   private:
     static constexpr double infinity = std::numeric_limits<double>::infinity();

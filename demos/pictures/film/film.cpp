@@ -52,21 +52,17 @@ Film::Film(OffscreenRenderer& offscreen, const Session& session, SurveyOnce& sur
       choices_(session.choices(0).frames),
       caption_(caption_of(session.choices(0))) {
     const std::vector<ComparedRun>& panels = session.sequence().panels;
-    for (std::size_t i = 0; i < panels.size(); ++i) {
-        require_drawable(scene(i));
-        require_shown(scene(i), choices_.overlay);
-    }
-    if (needs_survey(choices_)) survey_ = survey.of(panels);
-
     constexpr double widest = 16.0 / 9.0;  // aspect ratio for which the scenes' views are made
     double across = 0.0, up = 0.0;
     for (std::size_t i = 0; i < panels.size(); ++i) {
-        labels_.push_back(panels[i].label);
+        require_drawable(scene(i));
+        require_shown(scene(i), choices_.overlay);
         const View view = seen_from(scene(i));
-        const Reach reach = reach_of(movable_balls(scene(i)), view);
-        across = std::max(across, std::clamp(reach.across, 0.1, widest * half_tangent(view)));
+        const double reach = reach_across(movable_balls(scene(i)), view);
+        across = std::max(across, std::clamp(reach, 0.1, widest * half_tangent(view)));
         up = std::max(up, half_tangent(view));
     }
+    if (needs_survey(choices_)) survey_ = survey.of(panels);
     const float size = letter_size(choices_.height);
     if (panels.size() > 1 && (choices_.caption || legend_lines() > 0)) {
         strip_ = static_cast<int>(std::ceil(legend_height(std::max<std::size_t>(legend_lines(), 1), size)));
@@ -99,7 +95,8 @@ Subject Film::subject_in(const Size& cell) const {
     const double line = 1.9 * letter_size(choices_.height) / cell.height;
     const double lines_below =
         strip_ > 0 ? 0.0 : (choices_.caption ? 1.0 : 0.0) + static_cast<double>(legend_lines());
-    return with_room(survey_.subject, labels_.front().empty() ? 0.0 : line, lines_below * line);
+    const bool has_label = !session_.sequence().panels.front().label.empty();
+    return with_room(survey_.subject, has_label ? line : 0.0, lines_below * line);
 }
 
 View Film::seen_from(const BuiltScene& scene) const {
@@ -175,8 +172,9 @@ void Film::write(renderer::Image& sheet, double time) const {
     const auto strip = static_cast<float>(strip_ > 0 ? strip_ : sheet.height);
     renderer::Rectangle below{0.0f, height - strip, width, strip};
     std::string caption = fmt::format("t = {:.2f} s   {}", time, caption_);
-    if (labels_.size() > 1) {
-        std::vector<std::string> names = labels_;
+    if (session_.size() > 1) {
+        std::vector<std::string> names;
+        for (const ComparedRun& panel : session_.sequence().panels) names.push_back(panel.label);
         const float room = static_cast<float>(layout_.cell.width) - 2.0f * size;
         const auto widest = [&] {
             float most = 0.0f;
@@ -256,7 +254,6 @@ void take_frames(Session& session, Observer* recorder, const Pictures& pictures,
                  StageTimes* times, const std::function<void(long)>& progress) {
     constexpr std::size_t ahead = 2;
     Producer<Snapshot> moments(ahead, [&](Channel<Snapshot>& channel) {
-        const ThreadWatch thread(times);
         Snapshots snapshots(session.sequence(), pictures, times, channel);
         std::vector<Observer*> observers{&snapshots};
         if (recorder) observers.insert(observers.begin(), recorder);

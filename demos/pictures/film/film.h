@@ -54,7 +54,6 @@ class Film {
     OffscreenRenderer& offscreen_;
     const Session& session_;
     FrameChoices choices_;
-    std::vector<std::string> labels_;
     std::string caption_;
     Survey survey_;
     Layout layout_;

@@ -19,7 +19,6 @@ FrameQueue::FrameQueue(Work work, StageTimes* times) : work_(std::move(work)), t
 
 FrameQueue::~FrameQueue() {
     waiting_.close();
-    join();
 }
 
 renderer::Image FrameQueue::blank() {
@@ -32,13 +31,13 @@ renderer::Image FrameQueue::blank() {
 
 void FrameQueue::send(const std::string& name, renderer::Image image) {
     if (waiting_.send({sent_++, name, std::move(image)})) return;
-    join();
+    threads_.clear();
     std::rethrow_exception(error_);
 }
 
 void FrameQueue::flush() {
     waiting_.close();
-    join();
+    threads_.clear();
     if (error_) std::rethrow_exception(error_);
 }
 
@@ -47,15 +46,10 @@ std::size_t FrameQueue::ended() const {
     return turn_;
 }
 
-void FrameQueue::join() {
-    for (std::thread& thread : threads_) thread.join();
-    threads_.clear();
-}
-
 void FrameQueue::run() {
-    const ThreadWatch watch(times_);
+    StageWatch watch(times_);
     try {
-        while (auto frame = waiting_.receive()) handle(*frame);
+        while (auto frame = waiting_.receive()) handle(*frame, watch);
     } catch (...) {
         waiting_.close();
         const std::lock_guard lock(mutex_);
@@ -64,8 +58,8 @@ void FrameQueue::run() {
     }
 }
 
-void FrameQueue::handle(Frame& frame) {
-    StageWatch watch(times_);
+void FrameQueue::handle(Frame& frame, StageWatch& watch) {
+    watch.skip();
     const End end = work_(frame.name, frame.image, watch);
     {
         std::unique_lock lock(mutex_);

@@ -26,7 +26,7 @@ class FrameQueue {
     using Work = std::function<End(const std::string& name, const renderer::Image& image, StageWatch& watch)>;
 
     // `times` may be null.
-    FrameQueue(Work work, StageTimes* times);
+    explicit FrameQueue(Work work, StageTimes* times = nullptr);
     // Completes the queued frames; errors are ignored.
     ~FrameQueue();
     FrameQueue(const FrameQueue&) = delete;
@@ -52,8 +52,7 @@ class FrameQueue {
     };
 
     void run();
-    void handle(Frame& frame);
-    void join();
+    void handle(Frame& frame, StageWatch& watch);
 
     Work work_;
     StageTimes* times_;
@@ -66,7 +65,7 @@ class FrameQueue {
     std::exception_ptr error_;
     std::vector<renderer::Image> blanks_;
 
-    std::vector<std::thread> threads_;
+    std::vector<std::jthread> threads_;  // the last member: they end before the others do
 };
 
 }  // namespace pushfactor::demos::pictures

@@ -4,6 +4,7 @@
 #include "renderer/images/png.h"
 
 #include <cstdint>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -16,9 +17,7 @@ FrameWriter::FrameWriter(std::filesystem::path folder, bool png, const std::opti
       video_name_(video),
       fps_(fps),
       film_(std::move(film)),
-      queue_([this](const std::string& name, const renderer::Image& image,
-                    StageWatch& watch) { return encode(name, image, watch); },
-             times) {}
+      queue_(std::bind_front(&FrameWriter::encode, this), times) {}
 
 void FrameWriter::finish() {
     queue_.flush();
@@ -31,7 +30,7 @@ FrameQueue::End FrameWriter::encode(const std::string& name, const renderer::Ima
     watch.end("encode");
     return [this, &name, &image, png = std::move(png)](StageWatch& own) {
         if (png_) write_file(folder_ / name, png);
-        if (video_name_ && !video_) video_ = std::make_unique<Video>(*video_name_, image.width, image.height, fps_);
+        if (video_name_ && !video_) video_.emplace(*video_name_, image.width, image.height, fps_);
         if (video_) video_->add(image);
         own.end("write");
     };

@@ -5,7 +5,6 @@
 #include "demos/pictures/film/video.h"
 
 #include <filesystem>
-#include <memory>
 #include <optional>
 #include <string>
 
@@ -36,7 +35,7 @@ class FrameWriter {
     Rational fps_;
     std::string film_;
     // Made with the first frame, which has its size; used by the thread whose turn it is.
-    std::unique_ptr<Video> video_;
+    std::optional<Video> video_;
     FrameQueue queue_;
 };
 

@@ -34,9 +34,10 @@ StageTimes::StageTimes() : drawn_until_(process_time()), start_(drawn_until_) {}
 
 void StageTimes::add(const std::string& stage, const StageTime& time) {
     const std::lock_guard lock(mutex_);
-    if (std::ranges::find(names_, stage) == names_.end()) names_.push_back(stage);
-    sums_[stage].wall += time.wall;
-    sums_[stage].cpu += time.cpu;
+    auto sum = std::ranges::find(sums_, stage, &Sum::first);
+    if (sum == sums_.end()) sum = sums_.emplace(sum, stage, StageTime{});
+    sum->second.wall += time.wall;
+    sum->second.cpu += time.cpu;
 }
 
 double StageTimes::drawing_cpu() const {
@@ -62,7 +63,7 @@ void StageTimes::end_drawing(const std::string& stage) {
 
 StageTime StageTimes::sum(const std::string& stage) const {
     const std::lock_guard lock(mutex_);
-    const auto found = sums_.find(stage);
+    const auto found = std::ranges::find(sums_, stage, &Sum::first);
     return found == sums_.end() ? StageTime{} : found->second;
 }
 
@@ -74,29 +75,26 @@ std::string StageTimes::table(long frames) const {
     const auto line = [&](const std::string& name, const StageTime& time) {
         text += fmt::format("{:<24}{:>12.2f}{:>12.2f}\n", name, scale * time.cpu, scale * time.wall);
     };
-    for (const std::string& name : names_) line(name, sums_.at(name));
+    for (const auto& [name, time] : sums_) line(name, time);
     line("total, with startup", all);
     text += fmt::format("{} frames: {:.1f} per second; {:.1f} per second of CPU time\n", frames,
                         static_cast<double>(frames) / all.wall, static_cast<double>(frames) / all.cpu);
     return text;
 }
 
-ThreadWatch::ThreadWatch(StageTimes* times) : times_(times) {
+StageWatch::StageWatch(StageTimes* times) : times_(times) {
     if (!times_) return;
     pthread_getcpuclockid(pthread_self(), &clock_);
+    skip();
     const std::lock_guard lock(times_->mutex_);
     times_->watched_.push_back(clock_);
 }
 
-ThreadWatch::~ThreadWatch() {
+StageWatch::~StageWatch() {
     if (!times_) return;
     const std::lock_guard lock(times_->mutex_);
     std::erase(times_->watched_, clock_);
     times_->ended_cpu_ += seconds(clock_);
-}
-
-StageWatch::StageWatch(StageTimes* times) : times_(times) {
-    skip();
 }
 
 void StageWatch::end(const std::string& stage) {
@@ -107,7 +105,7 @@ void StageWatch::end(const std::string& stage) {
 }
 
 void StageWatch::skip() {
-    if (times_) last_ = {.wall = seconds(CLOCK_MONOTONIC), .cpu = seconds(CLOCK_THREAD_CPUTIME_ID)};
+    if (times_) last_ = {.wall = seconds(CLOCK_MONOTONIC), .cpu = seconds(clock_)};
 }
 
 }  // namespace pushfactor::demos::pictures

@@ -4,9 +4,9 @@
 #include "renderer/frames/stages.h"
 
 #include <ctime>
-#include <map>
 #include <mutex>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace pushfactor::demos::pictures {
@@ -22,7 +22,7 @@ StageTime process_time();
 // Total times of stages that run on several threads at once. Thread-safe.
 //
 // A software rasteriser has threads of its own. So the CPU time of a drawing stage is that of the whole program
-// minus the threads that have a ThreadWatch.
+// minus the threads that have a StageWatch.
 class StageTimes final : public renderer::Stages {
   public:
     StageTimes();
@@ -41,37 +41,28 @@ class StageTimes final : public renderer::Stages {
     std::string table(long frames) const;
 
   private:
-    friend class ThreadWatch;
+    friend class StageWatch;
+
+    using Sum = std::pair<std::string, StageTime>;
 
     double drawing_cpu() const;
 
     mutable std::mutex mutex_;
-    std::vector<std::string> names_;  // in the order in which they first ended
-    std::map<std::string, StageTime> sums_;
+    std::vector<Sum> sums_;           // of stages, in the order in which they first ended
     std::vector<clockid_t> watched_;  // threads that do not draw
     double ended_cpu_ = 0.0;          // s, of watched threads that have ended
     StageTime drawn_until_;
     StageTime start_;
 };
 
-// Excludes the CPU time of the thread that constructs and destroys it from the drawing time. Does nothing if
-// `times` is null.
-class ThreadWatch {
-  public:
-    explicit ThreadWatch(StageTimes* times);
-    ~ThreadWatch();
-    ThreadWatch(const ThreadWatch&) = delete;
-    ThreadWatch& operator=(const ThreadWatch&) = delete;
-
-  private:
-    StageTimes* times_;
-    clockid_t clock_{};
-};
-
-// Times stages of this thread. Does nothing if `times` is null.
+// Times the stages of the thread that constructs and destroys it, one watch per thread, and excludes its CPU time
+// from the drawing time. Does nothing if `times` is null.
 class StageWatch {
   public:
     explicit StageWatch(StageTimes* times);
+    ~StageWatch();
+    StageWatch(const StageWatch&) = delete;
+    StageWatch& operator=(const StageWatch&) = delete;
 
     // Adds the time since the last call to this stage.
     void end(const std::string& stage);
@@ -80,6 +71,7 @@ class StageWatch {
 
   private:
     StageTimes* times_;
+    clockid_t clock_{};
     StageTime last_;
 };
 

@@ -1,12 +1,11 @@
 #include "demos/pictures/film/video.h"
 
+#include "demos/base/platform/shell_words.h"
 #include "demos/base/text/errors.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
-#include <sstream>
 #include <string_view>
 #include <vector>
 
@@ -28,7 +27,7 @@ fs::path for_ffmpeg(const fs::path& file) {
     return file.is_absolute() ? file : "." / file;
 }
 
-// The functions below return ffmpeg options separated by single spaces.
+// The functions below return ffmpeg options separated by spaces.
 
 // yuv420p, which every player supports, needs even sides. An odd side repeats its last line of pixels: scaling
 // would blur the picture, and a black line would be visible.
@@ -65,11 +64,10 @@ std::string format_options(const std::string& format, int width, int height, con
 // Without "xerror" a full disk is reported but the status is 0. "bitexact" omits encoder metadata, so that equal
 // frames give equal files.
 std::vector<std::string> arguments(const fs::path& target, int width, int height, const Rational& fps) {
-    std::istringstream line(fmt::format(
+    std::vector<std::string> words = words_of(fmt::format(
         "-loglevel error -xerror -nostdin -y -f rawvideo -pixel_format rgb24 -video_size {}x{} -framerate {}/{} -i "
         "pipe:0 -fflags +bitexact {}",
         width, height, fps.numerator, fps.denominator, format_options(extension(target), width, height, fps)));
-    std::vector<std::string> words{std::istream_iterator<std::string>(line), {}};
     words.push_back(target);
     return words;
 }
@@ -106,13 +104,8 @@ Video::Video(fs::path file, int width, int height, const Rational& fps)
     // folder is reported before the first frame.
     staged_.emplace(file_, extension(file_));
     in_name_of(file_, [&] {
-        ffmpeg_ = std::make_unique<ChildProcess>("ffmpeg", "ffmpeg",
-                                                 arguments(for_ffmpeg(staged_->path()), width, height, fps));
+        ffmpeg_.emplace("ffmpeg", "ffmpeg", arguments(for_ffmpeg(staged_->path()), width, height, fps));
     });
-}
-
-Video::~Video() {
-    ffmpeg_.reset();  // before the file is removed
 }
 
 void Video::fail(const std::string& why) const {

@@ -7,7 +7,6 @@
 #include "renderer/images/image.h"
 
 #include <filesystem>
-#include <memory>
 #include <optional>
 #include <string>
 
@@ -34,9 +33,6 @@ class Video {
     // Starts ffmpeg. `width` and `height` in pixels, above 0; `fps` in frames per second, above 0. Throws
     // UsageError for a name that check_video_name() refuses.
     Video(std::filesystem::path file, int width, int height, const Rational& fps);
-    ~Video();
-    Video(const Video&) = delete;
-    Video& operator=(const Video&) = delete;
 
     // Adds the next frame, of the size given at the start. Blocks while ffmpeg is behind.
     void add(const renderer::Image& image);
@@ -51,7 +47,7 @@ class Video {
     std::optional<StagedFile> staged_;
     int width_;
     int height_;
-    std::unique_ptr<ChildProcess> ffmpeg_;
+    std::optional<ChildProcess> ffmpeg_;  // the last member: it ends before the file is removed
 };
 
 }  // namespace pushfactor::demos::pictures

@@ -119,7 +119,7 @@ Json camera_of(const View& view, std::span<const Ball> start) {
     return {{"eye", three(view.eye)},
             {"target", three(view.target)},
             {"field_of_view", view.field_of_view},
-            {"across", reach_of(start, view).across}};
+            {"across", reach_across(start, view)}};
 }
 
 Json stage_of(const ComparedRun& panel, const Simulation& simulation) {

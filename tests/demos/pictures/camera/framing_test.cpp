@@ -12,6 +12,11 @@ using pushfactor::engine::Vector3;
 
 namespace {
 
+// From the middle of the picture, as shares of half of it.
+struct Reach {
+    double across = 0.0, up = 0.0;
+};
+
 std::vector<Ball> random_balls(int count) {
     pushfactor::tests::Random random(7);
     std::vector<Ball> balls;
