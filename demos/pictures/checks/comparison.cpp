@@ -48,32 +48,32 @@ void look(const Tolerance& tolerance, const renderer::Image& expected, const ren
     const renderer::ImageDifference difference(expected, actual);
     if (!difference.any()) return;
     std::vector<float> errors;
-    std::optional<double> mean;
+    double mean = 0.0;
     if (tolerance.flip) {
         errors = renderer::flip(expected, actual);
         mean = std::accumulate(errors.begin(), errors.end(), 0.0) / static_cast<double>(errors.size());
     }
     PictureVerdict& verdict = compared.verdict;
-    verdict.badness = mean ? *mean : difference.rms() / 255.0;
+    verdict.badness = tolerance.flip ? mean : difference.rms() / 255.0;
     verdict.text = tolerance.complaint(difference, mean);
     verdict.finding = tolerance.accepts(difference, mean) ? Finding::within_tolerance : Finding::differs;
     if (verdict.holds()) return;
-    compared.difference = renderer::encode_png(mean ? heat_map(expected, errors) : heat_map(expected, actual));
+    compared.difference =
+        renderer::encode_png(tolerance.flip ? heat_map(expected, errors) : heat_map(expected, actual));
 }
 
 }  // namespace
 
-bool Tolerance::accepts(const renderer::ImageDifference& difference, std::optional<double> mean_flip) const {
-    if (flip) return mean_flip && *mean_flip <= *flip;
+bool Tolerance::accepts(const renderer::ImageDifference& difference, double mean_flip) const {
+    if (flip) return mean_flip <= *flip;
     return std::ranges::all_of(limits, [&](const Limit& limit) { return keeps(limit, difference); });
 }
 
-std::string Tolerance::complaint(const renderer::ImageDifference& difference,
-                                 std::optional<double> mean_flip) const {
+std::string Tolerance::complaint(const renderer::ImageDifference& difference, double mean_flip) const {
     const std::string largest = fmt::format("the largest by {} levels", difference.largest());
     if (flip) {
-        return fmt::format("mean FLIP error {:.3g} ({} allowed); {} of the pixels differ, {}",
-                           mean_flip.value_or(1.0), *flip, percent(difference.share_above(0)), largest);
+        return fmt::format("mean FLIP error {:.3g} ({} allowed); {} of the pixels differ, {}", mean_flip, *flip,
+                           percent(difference.share_above(0)), largest);
     }
     const auto broken = std::ranges::find_if(limits, [&](const Limit& limit) { return !keeps(limit, difference); });
     const Limit limit = broken == limits.end() ? Limit{} : *broken;

@@ -20,10 +20,11 @@ struct Tolerance {
     std::vector<Limit> limits{};   // all hold
     std::optional<double> flip{};  // largest mean FLIP error, 0..1; replaces the limits
 
-    bool accepts(const renderer::ImageDifference& difference, std::optional<double> mean_flip) const;
+    // `mean_flip` counts only with `flip`.
+    bool accepts(const renderer::ImageDifference& difference, double mean_flip) const;
 
     // What is not accepted, in numbers.
-    std::string complaint(const renderer::ImageDifference& difference, std::optional<double> mean_flip) const;
+    std::string complaint(const renderer::ImageDifference& difference, double mean_flip) const;
 
     std::string text() const;
 };

@@ -110,7 +110,6 @@ std::vector<std::string> Expectation::unexpected() const {
 }
 
 std::vector<fs::path> folders_of_pictures(const fs::path& folder) {
-    if (!fs::is_directory(folder)) throw UsageError("check {}: must be a folder", folder.string());
     std::set<fs::path> found;
     bool has_config = false;
     for (const fs::path& below : files_below(folder)) {
@@ -144,6 +143,7 @@ bool is_png(const fs::path& file) {
 }
 
 std::vector<fs::path> files_below(const fs::path& folder) {
+    if (!fs::is_directory(folder)) throw UsageError("check {}: must be a folder", folder.string());
     std::vector<fs::path> files;
     std::set<fs::path> seen;  // links may lead in a circle
     const std::function<void(const fs::path&)> look = [&](const fs::path& here) {

@@ -37,8 +37,8 @@ Expectation read_expectation(const std::filesystem::path& folder, const GivenOpt
 
 bool is_png(const std::filesystem::path& file);
 
-// All files of a folder and those below it, through links, in order. Throws UsageError for a folder that cannot be
-// read.
+// All files of a folder and those below it, through links, in order. Throws UsageError for what is no folder, and
+// for one that cannot be read.
 std::vector<std::filesystem::path> files_below(const std::filesystem::path& folder);
 
 // The options and the physics of the new run against those of the expectation: each panel's options by name, and

@@ -70,7 +70,6 @@ void add_missing(const Sequence& sequence, std::vector<PictureVerdict>& verdicts
 // PNG files below a folder, by their paths in it.
 std::set<std::string> pictures_below(const fs::path& folder) {
     std::set<std::string> names;
-    if (!fs::is_directory(folder)) throw UsageError("check {}: must be a folder", folder.string());
     for (const fs::path& file : files_below(folder)) {
         if (is_png(file)) names.insert(file.lexically_relative(folder).generic_string());
     }
@@ -131,9 +130,9 @@ FolderVerdict check_folder(const Expectation& expected, const Rules& rules, cons
     if (update && rules.trajectory) files.trajectory = update->staged("trajectory.csv").string();
     Recorder recorder(session, files, false, job.pages / job.anchor);
     TrajectoryCheck* trajectory = nullptr;
-    const bool has_trajectory = fs::exists(expected.folder / "trajectory.csv");
-    if (rules.physics && rules.trajectory && has_trajectory) {
-        auto record = std::make_unique<TrajectoryCheck>(expected.folder / "trajectory.csv", *rules.trajectory);
+    const fs::path trajectory_file = expected.folder / "trajectory.csv";
+    if (rules.trajectory && fs::exists(trajectory_file)) {
+        auto record = std::make_unique<TrajectoryCheck>(trajectory_file, *rules.trajectory);
         trajectory = record.get();
         trajectory->observe(session.run(0));
         recorder.add(std::move(record));
@@ -148,11 +147,9 @@ FolderVerdict check_folder(const Expectation& expected, const Rules& rules, cons
                                 .same_bytes = same};
     PictureVerdicts verdicts(job, update);
     try {
-        FrameQueue queue(
-            [&](const std::string& name, const renderer::Image& image, StageWatch&) {
-                return verdicts.of([&] { return compare(comparison, expected.folder / name, image); });
-            },
-            nullptr);
+        FrameQueue queue([&](const std::string& name, const renderer::Image& image, StageWatch&) {
+            return verdicts.of([&] { return compare(comparison, expected.folder / name, image); });
+        });
         take_frames(session, &recorder, {.film = &film}, queue, nullptr, job.progress);
     } catch (const NonFiniteError& error) {
         verdict.runs.push_back({.subject = "run", .holds = false, .text = error.what()});
@@ -166,12 +163,13 @@ FolderVerdict check_folder(const Expectation& expected, const Rules& rules, cons
     for (RunVerdict& one : compare_runs(expected, parse_json(summary), rules.physics && !rules.trajectory)) {
         verdict.runs.push_back(std::move(one));
     }
-    if (trajectory) verdict.runs.push_back(trajectory->verdict());
-    if (rules.physics && rules.trajectory && !has_trajectory) {
+    if (trajectory) {
+        verdict.runs.push_back(trajectory->verdict());
+    } else if (rules.trajectory) {
         verdict.runs.push_back(
             {.subject = "physics",
              .text = fmt::format("there is no trajectory.csv, as `render --trajectory {}` writes it",
-                                 (expected.folder / "trajectory.csv").string()),
+                                 trajectory_file.string()),
              .compared = false});
     }
     if (update && verdict.failures() + verdict.not_compared() > 0) {
@@ -196,16 +194,14 @@ FolderVerdict check_pictures(const fs::path& expected, const fs::path& actual, c
         if (!names.contains(name)) verdict.unexpected.push_back(name);
     }
     PictureVerdicts verdicts(job);
-    FrameQueue queue(
-        [&](const std::string& name, const renderer::Image&, StageWatch&) {
-            return verdicts.of([&] {
-                if (!others.contains(name)) return Compared{.verdict = refused(name, Finding::missing, "missing")};
-                Compared compared = compare_files({.tolerance = tolerance}, expected / name, actual / name);
-                compared.verdict.name = name;
-                return compared;
-            });
-        },
-        nullptr);
+    FrameQueue queue([&](const std::string& name, const renderer::Image&, StageWatch&) {
+        return verdicts.of([&] {
+            if (!others.contains(name)) return Compared{.verdict = refused(name, Finding::missing, "missing")};
+            Compared compared = compare_files({.tolerance = tolerance}, expected / name, actual / name);
+            compared.verdict.name = name;
+            return compared;
+        });
+    });
     long done = 0;
     for (const std::string& name : names) {
         if (interrupted()) break;

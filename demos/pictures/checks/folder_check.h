@@ -9,7 +9,7 @@ namespace pushfactor::demos::checks {
 
 struct Rules {
     std::optional<Tolerance> tolerance{};  // none: exactly() for the same program and driver, else usual()
-    bool physics = true;                   // compare it
+    bool physics = true;                   // compare it; without, there is no `trajectory`
     std::optional<double> trajectory{};    // m and rad: within that of trajectory.csv, instead of the state hash
 };
 
