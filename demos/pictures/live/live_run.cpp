@@ -78,8 +78,7 @@ Json options() {
 }  // namespace
 
 LiveRun::LiveRun(const std::string& scene, const OptionTexts& options)
-    : scene_(scene),
-      options_(options),
+    : options_(options),
       run_(run_with(scene, options)),
       simulation_(run_.choices),
       recorded_(replay::recorded_bodies(simulation_.scene())) {
@@ -148,7 +147,7 @@ std::string LiveRun::state_hash() const {
 }
 
 std::string LiveRun::command() const {
-    std::vector<std::string> words{"run", scene_};
+    std::vector<std::string> words{"run", run_.choices.scene};
     for (const auto& [name, text] : options_) words.insert(words.end(), {"--" + name, text});
     const Rational time = simulation_.settings().dt * Rational{simulation_.sample().step, 1};
     words.insert(words.end(), {"--seconds", to_text(time)});

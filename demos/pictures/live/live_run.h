@@ -45,7 +45,6 @@ class LiveRun {
   private:
     void measure();
 
-    std::string scene_;
     OptionTexts options_;
     ComparedRun run_;
     Simulation simulation_;

@@ -3,11 +3,10 @@
 #include "demos/base/text/errors.h"
 #include "demos/options/simulation_options.h"
 #include "demos/runs/records.h"
+#include "engine/base/index.h"
 #include "engine/solvers/pgs.h"
 
 #include <fmt/format.h>
-
-#include <cmath>
 
 namespace pushfactor::demos::pictures::live {
 
@@ -20,11 +19,6 @@ using engine::Vector6;
 template <typename Vector>
 Json list_of(const Vector& vector) {
     return std::vector<double>(vector.data(), vector.data() + vector.size());
-}
-
-// JSON has no infinity.
-Json bound(double value) {
-    return std::isfinite(value) ? Json(value) : Json();
 }
 
 void require_watchable(const Simulation& simulation) {
@@ -46,6 +40,7 @@ void require_watchable(const Simulation& simulation) {
     if (rows > most_rows) refuse("rows", std::to_string(rows), fmt::format("at most {}", most_rows));
 }
 
+// In the text of JSON infinite bounds are null.
 Json row_as_json(const ConstraintRow& row) {
     return {{"kind", name_of(row.label.kind)},
             {"a", row.body_a},
@@ -53,8 +48,8 @@ Json row_as_json(const ConstraintRow& row) {
             {"jacobian", {list_of(row.jacobian.a), list_of(row.jacobian.b)}},
             {"correcting", row.push.correcting},
             {"lasting", row.push.lasting},
-            {"c_min", bound(row.bounds.c_min)},
-            {"c_max", bound(row.bounds.c_max)},
+            {"c_min", row.bounds.c_min},
+            {"c_max", row.bounds.c_max},
             {"of_row", row.bounds.of_row}};
 }
 
@@ -63,7 +58,7 @@ Json matrix_of(const SystemEquation& system) {
     Json matrix = Json::array();
     std::vector<Vector6> forces(system.inverse_mass.size(), Vector6::Zero());
     for (const ConstraintRow& row : system.rows) {
-        const auto a = static_cast<std::size_t>(row.body_a), b = static_cast<std::size_t>(row.body_b);
+        const std::size_t a = engine::at(row.body_a), b = engine::at(row.body_b);
         forces[a] = row.jacobian.a;
         forces[b] = row.jacobian.b;
         std::vector<double> line;

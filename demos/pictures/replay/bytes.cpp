@@ -1,5 +1,7 @@
 #include "demos/pictures/replay/bytes.h"
 
+#include "engine/base/index.h"
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -125,7 +127,7 @@ void ForceBlock::add(std::span<const Acting> acting, double least_force, double 
         const auto found = last_.find(key);
         const Item last = found == last_.end() ? Item{} : found->second;
         Item& item = items[key];
-        item.place = vector_in_units(at.place, position_units_[static_cast<std::size_t>(at.body)]);
+        item.place = vector_in_units(at.place, position_units_[engine::at(at.body)]);
         for (std::size_t axis = 0; axis < 3; ++axis) append_integer(parts_[1], item.place[axis] - last.place[axis]);
         const std::array vectors{at_least(at.force, least_force), at_least(at.correcting, least_push),
                                  at_least(at.lasting, least_push)};

@@ -71,10 +71,14 @@ std::string inline_json(const Json& json) {
     return text;
 }
 
-void fill_in(std::string& text, std::string_view mark, const std::string& content) {
+std::size_t place_of(std::string_view mark, const std::string& text) {
     const std::size_t at = text.find(mark);
     if (at == std::string::npos) throw OutputError("page.html of the replays has no {}", mark);
-    text.replace(at, mark.size(), content);
+    return at;
+}
+
+void fill_in(std::string& text, std::string_view mark, const std::string& content) {
+    text.replace(place_of(mark, text), mark.size(), content);
 }
 
 }  // namespace
@@ -107,10 +111,9 @@ std::string base64(std::string_view bytes) {
 }
 
 Page page_about(const Json& about) {
-    std::string text = asset("page.html");
+    const std::string text = asset("page.html");
     constexpr std::string_view data = "@data@";
-    const std::size_t at = text.find(data);
-    if (at == std::string::npos) throw OutputError("page.html of the replays has no @data@");
+    const std::size_t at = place_of(data, text);
     Page page{.before = text.substr(0, at), .after = text.substr(at + data.size())};
     fill_in(page.before, "@style@",
             compact(asset_text(asset_folder("pages") / "page.css")) + compact(asset("replay.css")));

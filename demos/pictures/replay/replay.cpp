@@ -60,7 +60,6 @@ void check_replay_name(const std::filesystem::path& file) {
 
 Replay::Replay(const ReplayChoices& choices, const Session& session)
     : choices_(choices),
-      steps_a_frame_(session.sequence().frames.front().every()),
       frames_(session.choices(0).frames),
       file_(choices.file),
       has_camera_(session.choices(0).description.has_camera || frames_.camera.view) {
@@ -69,21 +68,14 @@ Replay::Replay(const ReplayChoices& choices, const Session& session)
         const Simulation& run = session.run(panel);
         const BuiltScene& scene = run.scene();
         require_drawable(scene);
-        std::vector<double> sizes, units;
+        std::vector<double> units;
         for (std::size_t i = 0; i < scene.world.bodies.size(); ++i) {
-            sizes.push_back(size_of(scene, i));
-            units.push_back(position_unit * sizes.back());
+            units.push_back(position_unit * size_of(scene, i));
         }
         Track track{.simulation = &run,
-                    .view = frames_.camera.view.value_or(scene.view),
                     .start = movable_balls(scene),
                     .extents = Extents(run, frames_.camera.fit),
                     .bodies = recorded_bodies(scene),
-                    .sizes = sizes,
-                    .poses = {},
-                    .velocities = {},
-                    .orientations = {},
-                    .measures = {},
                     .forces = ForceBlock(units)};
         track.poses.resize(numbers_per_pose * track.bodies.size());
         track.velocities.resize(choices.poses_only ? 0 : numbers_per_velocity * track.bodies.size());
@@ -92,7 +84,7 @@ Replay::Replay(const ReplayChoices& choices, const Session& session)
         tracks_.push_back(std::move(track));
     }
     block_length_ = std::clamp(most_numbers / numbers, 16L, 256L);
-    write_head(session.sequence().panels);
+    write_head(session.sequence());
 }
 
 // As add_overview() and the film have them, which run the scene once before they draw it: the page gets its cameras
@@ -104,15 +96,17 @@ std::vector<View> Replay::views() const {
     const Subject subject = subject_of(tracks_.back().simulation->scene(), outline);
     std::vector<View> views;
     for (const Track& track : tracks_) {
-        const View view = has_camera_ ? track.view
-                                      : overview(track.view, tracks_.front().start, reached,
-                                                 least_aspect(frames_, tracks_.size()));
+        View view = frames_.camera.view.value_or(track.simulation->scene().view);
+        if (!has_camera_) {
+            view = overview(view, tracks_.front().start, reached, least_aspect(frames_, tracks_.size()));
+        }
         views.push_back(frames_.camera.fit ? composed(view, subject, frames_.aspect()) : view);
     }
     return views;
 }
 
-void Replay::write_head(const std::vector<ComparedRun>& panels) {
+void Replay::write_head(const Sequence& sequence) {
+    const std::vector<ComparedRun>& panels = sequence.panels;
     const Choices& first = panels.front().choices;
     Json about;
     about["scene"] = first.description.name;
@@ -121,7 +115,7 @@ void Replay::write_head(const std::vector<ComparedRun>& panels) {
     about["command"] = choices_.command;
     about["version"] = version_text();
     about["play_speed"] = frames_.play_speed.value();
-    about["seconds_a_frame"] = (first.settings.dt * Rational{steps_a_frame_, 1}).value();
+    about["seconds_a_frame"] = (first.settings.dt * Rational{sequence.frames.front().every(), 1}).value();
     about["width"] = frames_.width;
     about["height"] = frames_.height;
     about["units"] = {{"position", position_unit}, {"orientation", orientation_unit}, {"velocity", velocity_unit}};
@@ -176,9 +170,10 @@ void Replay::record(Track& track, std::map<OverlayKind, double>& largest) {
 }
 
 void Replay::record_poses(Track& track) const {
+    const BuiltScene& scene = track.simulation->scene();
     for (std::size_t i = 0; i < track.bodies.size(); ++i) {
-        const engine::Body& body = track.simulation->scene().world.bodies[track.bodies[i]];
-        const double size = track.sizes[track.bodies[i]];
+        const engine::Body& body = scene.world.bodies[track.bodies[i]];
+        const double size = size_of(scene, track.bodies[i]);
         track.orientations[i] = orientation_in_units(body.orientation, track.orientations[i]);
         const auto pose = track.poses.begin() + static_cast<std::ptrdiff_t>(numbers_per_pose * i);
         append(vector_in_units(body.position, position_unit * size), pose);

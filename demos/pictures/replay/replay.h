@@ -48,18 +48,16 @@ class Replay : public Observer {
     // One run and its frames since the last block.
     struct Track {
         const Simulation* simulation;
-        View view;                                                 // of the scene, or a direction alone
-        std::vector<Ball> start;                                   // what moves, and what it hangs on
-        Extents extents;                                           // so far
-        std::vector<std::size_t> bodies;                           // recorded ones
-        std::vector<double> sizes;                                 // m, of all bodies
-        std::vector<std::vector<std::int64_t>> poses, velocities;  // per quantity and frame
-        std::vector<std::array<std::int64_t, 4>> orientations;     // of the last frame
-        std::array<std::vector<float>, 5> measures;                // per measure and frame
+        std::vector<Ball> start;          // what moves, and what it hangs on
+        Extents extents;                  // so far
+        std::vector<std::size_t> bodies;  // recorded ones
         replay::ForceBlock forces;
+        std::vector<std::vector<std::int64_t>> poses{}, velocities{};  // per quantity and frame
+        std::vector<std::array<std::int64_t, 4>> orientations{};       // of the last frame
+        std::array<std::vector<float>, 5> measures{};                  // per measure and frame
     };
 
-    void write_head(const std::vector<ComparedRun>& panels);
+    void write_head(const Sequence& sequence);
     std::vector<View> views() const;
     void record(Track& track, std::map<OverlayKind, double>& largest);
     void record_poses(Track& track) const;
@@ -67,7 +65,6 @@ class Replay : public Observer {
     void write_blocks();
 
     ReplayChoices choices_;
-    long steps_a_frame_;
     FrameChoices frames_;
     OutputFile file_;
     replay::Page page_;
