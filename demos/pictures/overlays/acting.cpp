@@ -1,5 +1,7 @@
 #include "demos/pictures/overlays/acting.h"
 
+#include "engine/base/index.h"
+
 #include <map>
 
 namespace pushfactor::demos::pictures {
@@ -8,19 +10,8 @@ namespace {
 
 using engine::Vector3;
 
-// The solution of one row.
-struct RowAnswer {
-    const engine::ConstraintRow& row;
-    double lasting_force;  // N, acts on the momenta
-};
-
-RowAnswer answer_of(const engine::World& world, std::size_t row) {
-    const auto& lambda = world.lambda();
-    return {world.rows()[row], lambda(static_cast<Eigen::Index>(row), lambda.cols() - 1)};
-}
-
 bool is_static(const engine::World& world, int body) {
-    return world.bodies[static_cast<std::size_t>(body)].is_static();
+    return world.bodies[engine::at(body)].is_static();
 }
 
 // Body of a contact that its force is drawn on: 1 for b, -1 for a.
@@ -44,10 +35,11 @@ void add_contacts(const BuiltScene& scene, std::vector<Acting>& found) {
                          .lasting = push.lasting * outwards});
     };
     for (const engine::ContactSite& site : scene.contacts->sites()) {
-        const auto& [row, normal_force] = answer_of(scene.world, site.normal_row);
+        const engine::ConstraintRow& row = scene.world.rows()[site.normal_row];
+        const double normal_force = lasting_force(scene.world, site.normal_row);
         Vector3 force = site.normal * normal_force;
         for (std::size_t t = 0; site.friction_row && t < 2; ++t) {
-            force += site.tangents[t] * answer_of(scene.world, *site.friction_row + t).lasting_force;
+            force += site.tangents[t] * lasting_force(scene.world, *site.friction_row + t);
         }
         add(site, row.label.gap <= 0.0 || normal_force > 0.0, force, row.push);
     }
@@ -62,15 +54,15 @@ struct AtEnd {
 
     AtEnd(const engine::World& world, std::size_t first_row, int rows) {
         for (int k = 0; k < rows; ++k) {
-            const auto& [row, lasting_force] = answer_of(world, first_row + static_cast<std::size_t>(k));
-            force[k] = lasting_force;
-            correcting[k] = row.push.correcting;
-            lasting[k] = row.push.lasting;
+            const std::size_t row = first_row + engine::at(k);
+            force[k] = lasting_force(world, row);
+            correcting[k] = world.rows()[row].push.correcting;
+            lasting[k] = world.rows()[row].push.lasting;
         }
     }
     // At rest nothing is pushed.
     AtEnd(std::span<const engine::Lambda> kept, int rows) {
-        for (int k = 0; k < rows; ++k) force[k] = kept[static_cast<std::size_t>(k)].last;
+        for (int k = 0; k < rows; ++k) force[k] = kept[engine::at(k)].last;
     }
 };
 
@@ -101,7 +93,7 @@ void add_held(const engine::World& world, Acting::Kind kind, const Source& sourc
         while (acts && !begins(world.rows()[row].label, item, i)) ++row;
         const int rows = rows_of(item);
         const AtEnd at_b = acts ? AtEnd(world, row, rows) : AtEnd(source.forces()[i], rows);
-        if (acts) row += static_cast<std::size_t>(rows);
+        if (acts) row += engine::at(rows);
         const engine::Span span = span_of(item, world.bodies);
         const auto add = [&](int body, int other, const Vector3& place, double sign) {
             const auto vector_of = [&](const Vector3& numbers) {
@@ -120,11 +112,15 @@ void add_held(const engine::World& world, Acting::Kind kind, const Source& sourc
 
 }  // namespace
 
+double lasting_force(const engine::World& world, std::size_t row) {
+    return world.lambda()(static_cast<Eigen::Index>(row), world.lambda().cols() - 1);
+}
+
 std::vector<Acting> applied_in(const BuiltScene& scene) {
     std::vector<Acting> found;
     for (const engine::PokeForce* const source : scene.pokes) {
         const int index = source->poke().body;
-        const engine::Body& body = scene.world.bodies[static_cast<std::size_t>(index)];
+        const engine::Body& body = scene.world.bodies[engine::at(index)];
         const Vector3 force = source->force(body.orientation);
         if (!source->acts_at(scene.world.time()) || force.isZero(0.0)) continue;
         found.push_back({.kind = Acting::Kind::outside,
@@ -171,7 +167,7 @@ std::vector<PressureCentre> pressure_centres(const BuiltScene& scene) {
         pressure.force += force;
     };
     for (const engine::ContactSite& site : scene.contacts->sites())
-        add(site, answer_of(scene.world, site.normal_row).lasting_force);
+        add(site, lasting_force(scene.world, site.normal_row));
     for (const engine::RestingContact& contact : scene.contacts->sites_at_rest(scene.world.bodies))
         add(contact.site, contact.normal);
     std::vector<PressureCentre> centres;
@@ -187,8 +183,7 @@ std::vector<std::pair<Vector3, Vector3>> line_of_thrust(const std::vector<Pressu
     std::map<int, std::vector<Vector3>> of_body;
     for (const PressureCentre& centre : centres) {
         for (const int body : {centre.body_a, centre.body_b}) {
-            if (!scene.world.bodies[static_cast<std::size_t>(body)].is_static())
-                of_body[body].push_back(centre.place);
+            if (!is_static(scene.world, body)) of_body[body].push_back(centre.place);
         }
     }
     std::vector<std::pair<Vector3, Vector3>> line;

@@ -23,6 +23,9 @@ struct Acting {
     engine::Vector3 lasting = engine::Vector3::Zero();     // m/s, push that enters the momenta
 };
 
+// Solution of a row of the last step [N], as it enters the momenta.
+double lasting_force(const engine::World& world, std::size_t row);
+
 // Forces of the scene on single bodies as they are now, at the points where they act.
 std::vector<Acting> applied_in(const BuiltScene& scene);
 

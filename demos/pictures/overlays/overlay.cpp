@@ -3,6 +3,7 @@
 #include "demos/base/text/errors.h"
 #include "demos/pictures/overlays/acting.h"
 #include "demos/pictures/to_glm.h"
+#include "engine/base/index.h"
 
 #include <map>
 
@@ -40,8 +41,8 @@ glm::vec3 colour_of_body(const BuiltScene& scene, OverlayKind kind, std::size_t 
     const std::size_t entry = entry_of_body(scene, kind, body);
     if (kind == OverlayKind::rest || entry == 1) return to_glm(entries_of(kind)[entry].colour);
     const engine::Islands& islands = scene.world.islands();
-    const auto island = static_cast<std::size_t>(islands.of_body(static_cast<int>(body)));
-    return colour_of_island(static_cast<std::size_t>(islands.all()[island].bodies.front()));
+    const std::size_t island = engine::at(islands.of_body(static_cast<int>(body)));
+    return colour_of_island(engine::at(islands.all()[island].bodies.front()));
 }
 
 bool has_row_of(const engine::World& world, std::size_t row, std::size_t joint) {
@@ -56,7 +57,7 @@ std::vector<Quantity> torques_in(const BuiltScene& scene) {
     std::vector<Quantity> found;
     for (const engine::PokeForce* const source : scene.pokes) {
         if (!source->acts_at(world.time())) continue;
-        const engine::Body& body = world.bodies[static_cast<std::size_t>(source->poke().body)];
+        const engine::Body& body = world.bodies[engine::at(source->poke().body)];
         const Vector3 torque = source->torque(body.orientation);
         if (!torque.isZero(0.0)) found.push_back({.place = body.position, .value = torque, .kind = 0});
     }
@@ -68,10 +69,9 @@ std::vector<Quantity> torques_in(const BuiltScene& scene) {
         if (!joint.hinge || !joint.hinge->motor) continue;
         // The row of a motor is L [0, -u, 0, u], zero for a static body: its force times that is its torque.
         const std::size_t motor = row + engine::motor_row;
-        const double force = world.lambda()(static_cast<Eigen::Index>(motor), world.lambda().cols() - 1);
-        const bool b_turns = !world.bodies[static_cast<std::size_t>(joint.body_b)].is_static();
+        const bool b_turns = !world.bodies[engine::at(joint.body_b)].is_static();
         const engine::Jacobian& jacobian = world.rows()[motor].jacobian;
-        const Vector3 torque = force * (b_turns ? jacobian.b : jacobian.a).tail<3>();
+        const Vector3 torque = lasting_force(world, motor) * (b_turns ? jacobian.b : jacobian.a).tail<3>();
         found.push_back({.place = span_of(joint, world.bodies).to, .value = torque, .kind = 1});
     }
     return found;
@@ -112,8 +112,8 @@ std::vector<Quantity> untouching_in(const BuiltScene& scene) {
     std::vector<Quantity> found;
     const auto& bodies = scene.world.bodies;
     for (const engine::collision::Pair& pair : scene.no_contacts) {
-        const Vector3 from = bodies[static_cast<std::size_t>(pair.a)].position;
-        const Vector3 to = bodies[static_cast<std::size_t>(pair.b)].position;
+        const Vector3 from = bodies[engine::at(pair.a)].position;
+        const Vector3 to = bodies[engine::at(pair.b)].position;
         found.push_back({.place = from, .value = to - from, .kind = 0});
     }
     std::map<std::string, std::vector<std::size_t>> groups;
