@@ -112,8 +112,9 @@ std::string reference_text() {
     }
     std::string text =
         "# Commands and options\n\nPrinted by `pushfactor --reference`, from the same tables as `pushfactor "
-        "COMMAND --help`. Defaults are in\nbrackets. Files and exit statuses are in [FORMATS.md](FORMATS.md), "
-        "examples in the [guide](README.md).\n";
+        "COMMAND --help`. Defaults are in\nbrackets; of options without one the preset decides "
+        "([table](README.md#presets)). Files and exit statuses are\nin [FORMATS.md](FORMATS.md), examples in the "
+        "[guide](README.md).\n";
     std::vector<std::string> headings = names_of(entries);
     for (const SharedPart& part : parts) {
         if (part.commands.size() > 1) headings.push_back(part.title);

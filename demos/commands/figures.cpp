@@ -101,6 +101,14 @@ std::vector<Option> figures_options() {
     };
 }
 
+std::string names_and_titles() {
+    std::string text = "\nFigures:\n";
+    for (const figures::Figure& figure : figures::all_figures()) {
+        text += fmt::format("  {:<20} {}\n", figure.name, figure.title);
+    }
+    return text;
+}
+
 AnyCommand read_figures(Words& words) {
     Figures command;
     command.names = words.take_names();
@@ -147,7 +155,8 @@ void carry_out(const Figures& command) {
     print((folder / "index.html").string() + "\n");
 }
 
-const Entry figures_entry{"figures", "[FIGURE...]", "Figures 5 to 11 of the paper and some of our own, on one page",
-                          figures_options, read_figures};
+const Entry figures_entry{
+    "figures",       "[FIGURE...]", "Figures 5 to 11 of the paper and some of our own, on one page",
+    figures_options, read_figures,  names_and_titles};
 
 }  // namespace pushfactor::demos::commands

@@ -237,7 +237,7 @@ Frames plan_frames(const FrameChoices& choices, const Rational& dt, long steps) 
     for (const Rational& time : choices.at) {
         const long step = step_of("--at", time, dt);
         if (step > steps) {
-            throw UsageError("--at {}: must be within the {} s of the run", to_text(time),
+            throw UsageError("--at {}: must be within the {} s of the run (--seconds)", to_text(time),
                              to_text(dt * Rational{steps, 1}));
         }
         std::string name = to_text(time);

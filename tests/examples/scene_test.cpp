@@ -18,12 +18,12 @@ using scenes::view_of;
 namespace {
 
 // [example: scene]
-constexpr std::array dominoes_parameters{
+constexpr std::array falling_row_parameters{
     Parameter{"count", "N", "number of dominoes [8]", 8, 1, 1000, true},
     Parameter{"tip", "RAD/S", "how fast the first one tips over at the start, rad/s [2]", 2, 0, 5},
 };
 
-SceneDescription describe_dominoes(const ParameterValues& parameters) {
+SceneDescription describe_falling_row(const ParameterValues& parameters) {
     const Vector3 size(0.2, 1.0, 0.5);  // m
     const double spacing = 0.5;         // m
     SceneDescription scene;
@@ -45,9 +45,9 @@ SceneDescription describe_dominoes(const ParameterValues& parameters) {
     return scene;
 }
 
-constinit const SceneEntry dominoes{"dominoes",
-                                    "The first of a row of dominoes tips over and takes the others with it.",
-                                    dominoes_parameters, describe_dominoes};
+constinit const SceneEntry falling_row{"falling-row",
+                                       "The first of a row of dominoes tips over and takes the others with it.",
+                                       falling_row_parameters, describe_falling_row};
 // [end]
 
 Simulation simulation_of(const SceneEntry& scene, const char* tip) {
@@ -70,8 +70,8 @@ std::vector<bool> tipped(const Simulation& simulation) {
 }  // namespace
 
 TEST_CASE("example: dominoes tip over one after the other, and none without a first") {
-    Simulation simulation = simulation_of(dominoes, "2");
-    Simulation untouched = simulation_of(dominoes, "0");
+    Simulation simulation = simulation_of(falling_row, "2");
+    Simulation untouched = simulation_of(falling_row, "0");
     std::vector<bool> before = tipped(simulation);
     REQUIRE(before.size() == 8);
     for (int step = 0; step < 240; ++step) {
