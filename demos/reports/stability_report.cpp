@@ -1,14 +1,15 @@
 // The report on the stress list: stability.csv (one line per case, preset and check), thumbnails, the scenes that
 // are not in the catalogue, and the summary and last state of each run.
+#include "demos/base/platform/output_file.h"
 #include "demos/base/text/errors.h"
 #include "demos/base/text/numbers.h"
 #include "demos/base/text/suggest.h"
 #include "demos/figures/figure_output.h"
+#include "demos/pages/verdict_files.h"
 #include "demos/pictures/camera/framing.h"
 #include "demos/pictures/camera/layout.h"
 #include "demos/pictures/draw_list.h"
-#include "demos/reports/stability/trial.h"
-#include "demos/reports/study.h"
+#include "demos/reports/stability/stability.h"
 #include "renderer/base/renderer_error.h"
 
 #include <fmt/format.h>
@@ -49,47 +50,34 @@ Eigen::AlignedBox3d place_of(const std::vector<pictures::Ball>& balls) {
     return place;
 }
 
-void shift(SceneDescription& scene, const Vector3& by) {
-    for (BodyDescription& body : scene.bodies) body.position += by;
-    const auto shift_ends = [&by](auto& link) {
-        for (DistanceDescription::End* end : {&link.a, &link.b}) {
-            if (end->body == "world") end->point += by;
-        }
-    };
-    std::ranges::for_each(scene.distances, shift_ends);
-    std::ranges::for_each(scene.joints, shift_ends);
-    scene.view.eye += by;
-    scene.view.target += by;
-}
-
 // A camera with the start and the end of the run in view, without bodies that ended so far away that nothing else
 // would be visible.
-View camera(const SceneDescription& start, const BuiltScene& end, double aspect) {
-    std::vector<pictures::Ball> balls = balls_of(start);
+View camera(const View& view, std::vector<pictures::Ball> balls, const BuiltScene& end, double aspect) {
     const std::vector<pictures::Ball> ended = pictures::movable_balls(end);
-    if (balls.empty()) return pictures::fitted(start.view, ended, aspect);
+    if (balls.empty()) return pictures::fitted(view, ended, aspect);
     const Eigen::AlignedBox3d place = place_of(balls);
     for (const pictures::Ball& ball : ended) {
         if (place.exteriorDistance(ball.centre) < 2.0 * place.diagonal().norm()) balls.push_back(ball);
     }
-    return pictures::fitted(start.view, balls, aspect);
+    return pictures::fitted(view, balls, aspect);
 }
 
 // Blank if the state is beyond single precision.
 renderer::Image draw(pictures::OffscreenRenderer& offscreen, const pictures::Size& size, const Trial& trial) {
-    Choices choices = understand(trial.state().string(), {});
-    SceneDescription start = trial.start();
+    BuiltScene scene = build_scene(understand(trial.state().string(), {}));
+    View view = trial.start().view;
+    std::vector<pictures::Ball> balls = balls_of(trial.start());
     // Pictures have single precision, so scenes far from the origin are drawn shifted.
-    const Eigen::AlignedBox3d place = place_of(balls_of(start));
+    const Eigen::AlignedBox3d place = place_of(balls);
     if (!place.isEmpty() && place.center().norm() > 100.0 * place.diagonal().norm()) {
-        const Vector3 here = -start.bodies.front().position;
-        shift(start, here);
-        shift(choices.description, here);
+        const Vector3 here = -trial.start().bodies.front().position;
+        for (engine::Body& body : scene.world.bodies) body.position += here;
+        for (pictures::Ball& ball : balls) ball.centre += here;
+        for (Vector3* const point : {&view.eye, &view.target, &scene.view.eye, &scene.view.target}) *point += here;
     }
-    const BuiltScene scene = build_scene(choices);
     const double aspect = static_cast<double>(size.width) / size.height;
     try {
-        return offscreen.draw(pictures::draw_list(scene, camera(start, scene, aspect)), size, samples);
+        return offscreen.draw(pictures::draw_list(scene, camera(view, balls, scene, aspect)), size, samples);
     } catch (const renderer::RendererError&) {
         return renderer::blank_image(size.width, size.height, glm::vec3(0.9f));
     }
@@ -221,7 +209,9 @@ class StabilityReport {
         const std::string headline =
             unexpected_.empty() ? fmt::format("{} runs are as expected", trials_)
                                 : fmt::format("{} of {} runs are not as expected", unexpected_.size(), trials_);
-        run_.write(headline, suites_);
+        const StudyRequest& request = run_.request();
+        if (request.junit) write_file(*request.junit, junit_xml(suites_, std::time(nullptr)));
+        if (request.markdown) write_file(*request.markdown, job_summary(headline, suites_));
         if (unexpected_.empty()) return;
         throw CheckError("{}, the first is {}; see {}", headline, unexpected_.front(),
                          (run_.folder() / "stability.csv").string());

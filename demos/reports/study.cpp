@@ -11,13 +11,10 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <ctime>
 #include <fstream>
 #include <future>
 #include <mutex>
-#include <set>
 #include <thread>
 
 namespace pushfactor::demos::reports {
@@ -103,10 +100,11 @@ void make_pieces(const std::vector<const Piece*>& pieces, std::size_t jobs,
                  const std::function<void(const Piece&, const Json& result)>& keep, const StopCheck& check) {
     std::atomic<std::size_t> next = 0;
     std::atomic<bool> ended = false;
+    const auto goes_on = [&] {
+        if (ended) throw Dropped();
+        check();
+    };
     const auto work = [&] {
-        const auto goes_on = [&ended] {
-            if (ended) throw Dropped();
-        };
         try {
             for (std::size_t i = next++; i < pieces.size(); i = next++) {
                 goes_on();
@@ -119,17 +117,9 @@ void make_pieces(const std::vector<const Piece*>& pieces, std::size_t jobs,
         }
     };
     std::vector<std::future<void>> workers;  // whose destructors wait for them
-    try {
-        for (std::size_t i = 0; i < std::min(jobs, pieces.size()); ++i)
-            workers.push_back(std::async(std::launch::async, work));
-        for (std::future<void>& worker : workers) {
-            while (worker.wait_for(std::chrono::milliseconds(100)) != std::future_status::ready) check();
-            worker.get();
-        }
-    } catch (...) {
-        ended = true;
-        throw;
-    }
+    for (std::size_t i = 0; i < std::min(jobs, pieces.size()); ++i)
+        workers.push_back(std::async(std::launch::async, work));
+    for (std::future<void>& worker : workers) worker.get();
 }
 
 }  // namespace
@@ -217,6 +207,7 @@ void StudyRun::count_run() {
 
 StopCheck StudyRun::check() const {
     return [this] {
+        if (!interrupted()) return;
         stop_if_interrupted(
             fmt::format("{} of {} runs are in {}{}", done_.load(), runs_, folder().string(), hint_));
     };
@@ -287,11 +278,6 @@ void StudyRun::write(const std::string& name, const Table& table) const {
 SectionContent StudyRun::tabulated(const std::string& name, const Table& table, const std::string& caption) const {
     write(name, table);
     return {.files = {name}, .caption = caption, .table = page_lines(table)};
-}
-
-void StudyRun::write(const std::string& headline, std::span<const SuiteVerdict> verdicts) const {
-    if (request_.junit) write_file(*request_.junit, junit_xml(verdicts, std::time(nullptr)));
-    if (request_.markdown) write_file(*request_.markdown, job_summary(headline, verdicts));
 }
 
 void StudyRun::write_page(const std::string& opening) const {

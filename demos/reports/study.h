@@ -8,7 +8,6 @@
 #include "demos/options/named_run.h"
 #include "demos/pages/page.h"
 #include "demos/pages/table.h"
-#include "demos/pages/verdict_files.h"
 #include "demos/runs/session.h"
 
 #include <atomic>
@@ -17,20 +16,13 @@
 #include <map>
 #include <optional>
 #include <set>
-#include <span>
 #include <string>
 #include <vector>
 
 namespace pushfactor::demos::reports {
 
 // Pieces: the independent results that a report is made of. Each can be made alone, on any machine, and is kept in
-// a JSON file,
-//
-//   FOLDER/pieces/VERSION/ab/0123456789abcd.json     ab0123456789abcd: hash of the key
-//   {"key": "...", "made_with": "...", "machine": "...", "result": ...}
-//
-// VERSION is that of the program, so that no version ever uses the pieces of another. A program that was built from
-// modified or unknown sources adds a hash of its own file.
+// a JSON file (demos/FORMATS.md) with its "key", what it was "made_with", the "machine" and the "result".
 struct Piece {
     // One line that names report, experiment and every option that decides the result. Its text_hash() decides the
     // shard and the file.
@@ -158,9 +150,6 @@ class StudyRun {
     void write(const std::string& name, const Table& table) const;  // below a line with the machine
     // The same, and content with the table, its file and a caption.
     SectionContent tabulated(const std::string& name, const Table& table, const std::string& caption) const;
-
-    // Writes the files for CI servers that were asked for.
-    void write(const std::string& headline, std::span<const SuiteVerdict> verdicts) const;
 
     std::vector<Section> sections{};
     void write_page(const std::string& opening) const;

@@ -1,5 +1,5 @@
 // Cases of floors of flush boxes, which should behave like a single box.
-#include "demos/reports/stability/cases.h"
+#include "demos/reports/stability/stability.h"
 
 #include <fmt/format.h>
 
@@ -73,6 +73,31 @@ void add_rides(Chapter& chapter, double speed, const std::string& seconds, const
     }
 }
 
+}  // namespace
+
+SceneDescription seam_floor(const Ride& ride) {
+    SceneDescription scene = touching("seam-floor", {}, 0.8);
+    const double low_x = -1.2;
+    const bool even = ride.uneven == 0.0;
+    const Floor tiles{.corner = {low_x, 0, even ? -3.0 : -2.2},
+                      .rows = even ? 8 : 15,
+                      .lanes = even ? 8 : 11,
+                      .side = even ? 0.75 : 0.4,
+                      .uneven = ride.uneven};
+    lay(scene, tiles);
+    const Vector3 size(tiles.rows * tiles.side, thickness, tiles.lanes * tiles.side);
+    const Vector3 middle = tiles.corner + 0.5 * Vector3(size.x(), -size.y(), size.z());
+    scene.bodies.push_back(wall("single", size, middle - Vector3(behind, 0, 0)));
+    std::vector<BodyDescription> twins = riders(ride);
+    scene.bodies.insert(scene.bodies.end(), twins.begin(), twins.end());
+    for (BodyDescription& one : twins) {
+        one.name += " on the single box";
+        one.position.x() -= behind;
+        scene.bodies.push_back(one);
+    }
+    return scene;
+}
+
 Chapter seams() {
     Chapter chapter{"seams",
                     "Cubes, planks and balls on flush boxes, also with every other box 0.5 mm lower: as on a "
@@ -100,35 +125,6 @@ Chapter seams() {
     // 0.015 m, and it falls back.
     add_stop("cube-stopped-by-step", short_floor("cube-stopped-by-step", cube, 2.0, 0.3, 0.05), 0.02);
     return chapter;
-}
-
-}  // namespace
-
-SceneDescription seam_floor(const Ride& ride) {
-    SceneDescription scene = touching("seam-floor", {}, 0.8);
-    const double low_x = -1.2;
-    const bool even = ride.uneven == 0.0;
-    const Floor tiles{.corner = {low_x, 0, even ? -3.0 : -2.2},
-                      .rows = even ? 8 : 15,
-                      .lanes = even ? 8 : 11,
-                      .side = even ? 0.75 : 0.4,
-                      .uneven = ride.uneven};
-    lay(scene, tiles);
-    const Vector3 size(tiles.rows * tiles.side, thickness, tiles.lanes * tiles.side);
-    const Vector3 middle = tiles.corner + 0.5 * Vector3(size.x(), -size.y(), size.z());
-    scene.bodies.push_back(wall("single", size, middle - Vector3(behind, 0, 0)));
-    std::vector<BodyDescription> twins = riders(ride);
-    scene.bodies.insert(scene.bodies.end(), twins.begin(), twins.end());
-    for (BodyDescription& one : twins) {
-        one.name += " on the single box";
-        one.position.x() -= behind;
-        scene.bodies.push_back(one);
-    }
-    return scene;
-}
-
-std::vector<Chapter> floor_chapters() {
-    return {seams()};
 }
 
 }  // namespace pushfactor::demos::reports::stability

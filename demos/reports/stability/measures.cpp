@@ -1,9 +1,7 @@
 // The measures by which trials are judged, from the output of a run.
-#include "demos/reports/stability/trial.h"
+#include "demos/reports/stability/stability.h"
 
-#include <algorithm>
 #include <cmath>
-#include <functional>
 
 namespace pushfactor::demos::reports::stability {
 

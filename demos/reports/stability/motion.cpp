@@ -1,5 +1,5 @@
 // Cases with fast, spinning or bouncing bodies, with bars, and scenes with little or nothing in them.
-#include "demos/reports/stability/cases.h"
+#include "demos/reports/stability/stability.h"
 
 #include <fmt/format.h>
 
@@ -9,6 +9,64 @@
 namespace pushfactor::demos::reports::stability {
 
 namespace {
+SceneDescription tumbling_box() {
+    SceneDescription scene =
+        with_friction(touching("tumbling-box", {ground(), box("box", {1, 0.4, 0.2}, {0, 2, 0})}), 0.0);
+    scene.bodies.back().restitution = 1.0;
+    scene.bodies.back().angular_velocity = {1, 4, 3};
+    return scene;
+}
+
+constexpr double rod_length = 1.0, rod_thickness = 0.04;  // m
+constexpr int links = 5;
+constexpr double link_length = 0.5;  // m
+
+// A rod whose upper end hangs on `above`, which is given in the frame of the body of that name.
+void hang(const std::string& name, double length, double angle, double from, const std::string& above,
+          const Vector3& hook, SceneDescription& scene) {
+    const Vector3 down(elementary::sin(angle), -elementary::cos(angle), 0);
+    BodyDescription rod = box(name, {rod_thickness, length, rod_thickness}, (from + 0.5 * length) * down);
+    rod.orientation = inclined(angle);
+    scene.bodies.push_back(rod);
+    scene.distances.push_back({.a = {above, hook}, .b = {name, {0, 0.5 * length, 0}}, .length = 0.0});
+    scene.view = seen_from(0.1);
+}
+
+// A ball of 2 kg that hangs at `depth` [m] on bars of these lengths [m], all between the same two points.
+SceneDescription hanging(const std::vector<double>& lengths, double depth) {
+    SceneDescription scene = scene_of("hanging", {ball(0.1, {0, -depth, 0})});
+    scene.bodies.back().mass = 2.0;
+    for (const double length : lengths)
+        scene.distances.push_back({.a = {}, .b = {"ball", Vector3::Zero()}, .length = length});
+    return scene;
+}
+
+}  // namespace
+
+SceneDescription bouncing_ball() {
+    SceneDescription scene = touching("bouncing-ball", {ground(), ball(0.1, {0, 2.1, 0})});
+    scene.bodies.back().restitution = 1.0;
+    return scene;
+}
+
+double rod_pendulum_period(double angle) {
+    // Squared rate of small swings: m g l / 2 over the moment of inertia about the end; m = 1 kg.
+    const double inertia = rod_length * rod_length / 3.0 + rod_thickness * rod_thickness / 12.0;  // m^2
+    const double rate = std::sqrt(usual_gravity * 0.5 * rod_length / inertia);                    // rad/s
+    return 4.0 * std::comp_ellint_1(elementary::sin(0.5 * angle)) / rate;
+}
+
+SceneDescription ball_joint_chain(double angle) {
+    SceneDescription scene = scene_of("ball-joint-chain", {});
+    std::string above = "world";
+    for (int i = 0; i < links; ++i) {
+        const Vector3 hook = i == 0 ? Vector3(Vector3::Zero()) : Vector3(-0.5 * link_length * Vector3::UnitY());
+        hang("rod " + std::to_string(i + 1), link_length, angle, i * link_length, above, hook, scene);
+        above = scene.bodies.back().name;
+    }
+    return scene;
+}
+
 Chapter impacts() {
     Chapter chapter{"impacts", "Fast bodies that hit: nothing goes through, nothing is thrown back"};
     const OptionTexts options{{"seconds", "2"}};
@@ -73,14 +131,6 @@ Chapter turning() {
     return chapter;
 }
 
-SceneDescription tumbling_box() {
-    SceneDescription scene =
-        with_friction(touching("tumbling-box", {ground(), box("box", {1, 0.4, 0.2}, {0, 2, 0})}), 0.0);
-    scene.bodies.back().restitution = 1.0;
-    scene.bodies.back().angular_velocity = {1, 4, 3};
-    return scene;
-}
-
 Chapter bounces() {
     Chapter chapter{"bounces", "Restitution 1: energy stays, bounces are equally high"};
     chapter.add("tumbling-box", tumbling_box(), {{"seconds", "20"}}, "moving", {{"relative_energy_change", 1e-3}},
@@ -89,10 +139,6 @@ Chapter bounces() {
                 with_paper("moving", "fly"), true);
     return chapter;
 }
-
-constexpr double rod_length = 1.0, rod_thickness = 0.04;  // m
-constexpr int links = 5;
-constexpr double link_length = 0.5;  // m
 
 Chapter chains() {
     Chapter chapter{"chains",
@@ -108,17 +154,6 @@ Chapter chains() {
     add(100, {0.04, 0.5});
     add(1000, {0.2, 200.0});
     return chapter;
-}
-
-// A rod whose upper end hangs on `above`, which is given in the frame of the body of that name.
-void hang(const std::string& name, double length, double angle, double from, const std::string& above,
-          const Vector3& hook, SceneDescription& scene) {
-    const Vector3 down(elementary::sin(angle), -elementary::cos(angle), 0);
-    BodyDescription rod = box(name, {rod_thickness, length, rod_thickness}, (from + 0.5 * length) * down);
-    rod.orientation = inclined(angle);
-    scene.bodies.push_back(rod);
-    scene.distances.push_back({.a = {above, hook}, .b = {name, {0, 0.5 * length, 0}}, .length = 0.0});
-    scene.view = seen_from(0.1);
 }
 
 Chapter ball_joints() {
@@ -145,15 +180,6 @@ Chapter ball_joints() {
             of_both("moving"), true);
     }
     return chapter;
-}
-
-// A ball of 2 kg that hangs at `depth` [m] on bars of these lengths [m], all between the same two points.
-SceneDescription hanging(const std::vector<double>& lengths, double depth) {
-    SceneDescription scene = scene_of("hanging", {ball(0.1, {0, -depth, 0})});
-    scene.bodies.back().mass = 2.0;
-    for (const double length : lengths)
-        scene.distances.push_back({.a = {}, .b = {"ball", Vector3::Zero()}, .length = length});
-    return scene;
 }
 
 Chapter redundant_bars() {
@@ -186,40 +212,6 @@ Chapter little() {
                                        wall("other", Vector3::Ones(), {0.2, 0.4, 0}), ball(0.1, {3, 0.1, 0})}));
     add("no-gravity", pile({.gravity = 0.0}));
     return chapter;
-}
-
-}  // namespace
-
-SceneDescription bouncing_ball() {
-    SceneDescription scene = touching("bouncing-ball", {ground(), ball(0.1, {0, 2.1, 0})});
-    scene.bodies.back().restitution = 1.0;
-    return scene;
-}
-
-double rod_pendulum_period(double angle) {
-    // Squared rate of small swings: m g l / 2 over the moment of inertia about the end; m = 1 kg.
-    const double inertia = rod_length * rod_length / 3.0 + rod_thickness * rod_thickness / 12.0;  // m^2
-    const double rate = std::sqrt(usual_gravity * 0.5 * rod_length / inertia);                    // rad/s
-    return 4.0 * std::comp_ellint_1(elementary::sin(0.5 * angle)) / rate;
-}
-
-SceneDescription ball_joint_chain(double angle) {
-    SceneDescription scene = scene_of("ball-joint-chain", {});
-    std::string above = "world";
-    for (int i = 0; i < links; ++i) {
-        const Vector3 hook = i == 0 ? Vector3(Vector3::Zero()) : Vector3(-0.5 * link_length * Vector3::UnitY());
-        hang("rod " + std::to_string(i + 1), link_length, angle, i * link_length, above, hook, scene);
-        above = scene.bodies.back().name;
-    }
-    return scene;
-}
-
-std::vector<Chapter> motion_chapters() {
-    return {impacts(), passing(), turning(), bounces()};
-}
-
-std::vector<Chapter> bar_chapters() {
-    return {chains(), ball_joints(), redundant_bars(), little()};
 }
 
 }  // namespace pushfactor::demos::reports::stability

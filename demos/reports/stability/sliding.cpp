@@ -1,9 +1,8 @@
 // Cases of sliding, rolling and static friction, and of hovering bodies without friction.
-#include "demos/reports/stability/cases.h"
+#include "demos/reports/stability/stability.h"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -73,42 +72,6 @@ SceneDescription balls_on_slope(double angle, double across) {
     return on_slope("balls-on-slope", balls, 0.5, angle);
 }
 
-Chapter slopes() {
-    constexpr double friction = 0.5;
-    Chapter chapter{"slopes",
-                    "Cubes turned about the normal of a slope, friction 0.5: they hold, or slide with g (sin - mu "
-                    "cos); balls roll with 5/7 g sin until that needs more than mu"};
-    const auto sliding_on = [](double angle) {
-        return usual_gravity * (std::sin(angle) - friction * std::cos(angle));
-    };
-    for (const double angle : {0.3, 0.45, 0.5, 0.6}) {
-        const double sliding = sliding_on(angle);
-        const bool slides = sliding > 0.0;
-        const std::string outcome = slides ? "moving" : "rest";
-        for (const Steps& steps : both_steps) {
-            chapter.add(steps, fmt::format("slope-{}-rad", angle), cubes_on_slope(angle), "3", outcome,
-                        {{"acceleration_m_per_s2", 1e-6, slides ? sliding : 0.0}, no_spin},
-                        of_both(outcome, {{}, slides ? std::optional(seat / steps.dt) : std::nullopt}),
-                        angle == 0.6);
-        }
-    }
-    for (const Steps& steps : both_steps) {
-        chapter.add(steps, "slope-0.45-rad-60-s", cubes_on_slope(0.45), "70", "rest",
-                    {{"drift_after_10_s_m", 1e-9}, no_spin}, of_both("rest"));
-    }
-    for (const double angle : {0.6, 1.0, 1.2}) {
-        const bool slips = std::tan(angle) > 3.5 * friction;
-        const double rolling = 5.0 / 7.0 * usual_gravity * std::sin(angle);
-        for (const Steps& steps : both_steps) {
-            chapter.add(steps, fmt::format("balls-on-slope-{}-rad", angle),
-                        balls_on_slope(angle, slips ? 0.0 : 2.0), "1", "moving",
-                        {{"acceleration_m_per_s2", 1e-6, slips ? sliding_on(angle) : rolling}}, of_both("moving"),
-                        angle == 1.0);
-        }
-    }
-    return chapter;
-}
-
 // 16 cubes in a grid that slide in the same direction, each turned by a different angle about the vertical.
 SceneDescription cubes_turned_16_ways(double speed, double friction) {
     SceneDescription scene = touching("cubes-turned-16-ways", {ground()}, 0.8);
@@ -117,26 +80,6 @@ SceneDescription cubes_turned_16_ways(double speed, double friction) {
         scene.bodies.back().orientation = turned(0.25 * direction(i));
     }
     return with_friction(scene, friction);
-}
-
-Chapter directions() {
-    constexpr double speed = 3.0;     // m/s
-    constexpr double friction = 0.3;  // mu
-    constexpr double way = speed * speed / (2.0 * friction * usual_gravity);
-    Chapter chapter{"directions",
-                    "Cubes that slide at 3 m/s in 16 directions relative to their edges, friction 0.3: v^2 / (2 mu "
-                    "g) straight on, without turning"};
-    const auto add = [&chapter](const std::string& name, const SceneDescription& scene, bool quick = false) {
-        for (const Steps& steps : both_steps) {
-            chapter.add(steps, name, scene, "3", "rest",
-                        {{"slide_m", first_order * speed * steps.dt, way}, straight_on, no_spin, not_turned},
-                        of_both("rest", {{}, seat, seat / steps.dt, seat}), quick);
-        }
-    };
-    add("cone-16-directions", cubes_in_16_directions(speed, friction, false), true);
-    add("cone-16-directions-on-a-box", cubes_in_16_directions(speed, friction, true));
-    add("cubes-turned-16-ways", cubes_turned_16_ways(speed, friction));
-    return chapter;
 }
 
 using Plane = Eigen::Vector2d;            // x and z
@@ -177,6 +120,104 @@ Moving rate_of(const Slab& slab, const Moving& now) {
     return rate;
 }
 
+// Cubes that turn on the spot about the vertical, some one way and some the other.
+SceneDescription spinning_cubes(double spin, double friction) {
+    SceneDescription scene = touching("spinning-cubes", {ground()}, 0.5);
+    for (int i = 0; i < 4; ++i) {
+        scene.bodies.push_back(cube(i, {2.0 * i - 3.0, 0.5, 0}));
+        scene.bodies.back().orientation = turned(0.35 * i);
+        scene.bodies.back().angular_velocity = {0, i % 2 == 0 ? spin : -spin, 0};
+    }
+    return with_friction(scene, friction);
+}
+
+}  // namespace
+
+SceneDescription cubes_in_16_directions(double speed, double friction, bool on_box) {
+    return in_16_directions("cone-16-directions", on_box ? wall("ground", {16, 0.5, 16}, {0, -0.25, 0}) : ground(),
+                            box("cube", Vector3::Ones(), {0, 0.5, 0}), speed, friction);
+}
+
+SceneDescription spinning_slab(double speed, double spin, double friction) {
+    BodyDescription slab = box("slab", {1, 0.2, 1}, {0, 0.1, 0}, {speed, 0, 0});
+    slab.angular_velocity = {0, spin, 0};
+    SceneDescription scene = touching("spinning-slab", {ground(), slab}, 0.6);
+    scene.gravity = {0, -9.81, 0};
+    return with_friction(scene, friction);
+}
+
+double slide_of(const Slab& slab, double speed, double spin) {
+    Moving now;
+    now << 0, 0, 0, speed, 0, spin;
+    const double start = energy_of(slab, now);
+    // RK4. Both speeds vanish at the same time, and steps shrink with them.
+    for (double left = 1.0; left > 1e-5; left = std::sqrt(energy_of(slab, now) / start)) {
+        const double h = 1e-3 * std::max(left, 1e-3);  // s
+        const Moving k1 = rate_of(slab, now);
+        const Moving k2 = rate_of(slab, now + 0.5 * h * k1);
+        const Moving k3 = rate_of(slab, now + 0.5 * h * k2);
+        const Moving k4 = rate_of(slab, now + h * k3);
+        now += h / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4);
+    }
+    return now.head<2>().norm();
+}
+
+Chapter slopes() {
+    constexpr double friction = 0.5;
+    Chapter chapter{"slopes",
+                    "Cubes turned about the normal of a slope, friction 0.5: they hold, or slide with g (sin - mu "
+                    "cos); balls roll with 5/7 g sin until that needs more than mu"};
+    const auto sliding_on = [](double angle) {
+        return usual_gravity * (std::sin(angle) - friction * std::cos(angle));
+    };
+    for (const double angle : {0.3, 0.45, 0.5, 0.6}) {
+        const double sliding = sliding_on(angle);
+        const bool slides = sliding > 0.0;
+        const std::string outcome = slides ? "moving" : "rest";
+        for (const Steps& steps : both_steps) {
+            chapter.add(steps, fmt::format("slope-{}-rad", angle), cubes_on_slope(angle), "3", outcome,
+                        {{"acceleration_m_per_s2", 1e-6, slides ? sliding : 0.0}, no_spin},
+                        of_both(outcome, {{}, slides ? std::optional(seat / steps.dt) : std::nullopt}),
+                        angle == 0.6);
+        }
+    }
+    for (const Steps& steps : both_steps) {
+        chapter.add(steps, "slope-0.45-rad-60-s", cubes_on_slope(0.45), "70", "rest",
+                    {{"drift_after_10_s_m", 1e-9}, no_spin}, of_both("rest"));
+    }
+    for (const double angle : {0.6, 1.0, 1.2}) {
+        const bool slips = std::tan(angle) > 3.5 * friction;
+        const double rolling = 5.0 / 7.0 * usual_gravity * std::sin(angle);
+        for (const Steps& steps : both_steps) {
+            chapter.add(steps, fmt::format("balls-on-slope-{}-rad", angle),
+                        balls_on_slope(angle, slips ? 0.0 : 2.0), "1", "moving",
+                        {{"acceleration_m_per_s2", 1e-6, slips ? sliding_on(angle) : rolling}}, of_both("moving"),
+                        angle == 1.0);
+        }
+    }
+    return chapter;
+}
+
+Chapter directions() {
+    constexpr double speed = 3.0;     // m/s
+    constexpr double friction = 0.3;  // mu
+    constexpr double way = speed * speed / (2.0 * friction * usual_gravity);
+    Chapter chapter{"directions",
+                    "Cubes that slide at 3 m/s in 16 directions relative to their edges, friction 0.3: v^2 / (2 mu "
+                    "g) straight on, without turning"};
+    const auto add = [&chapter](const std::string& name, const SceneDescription& scene, bool quick = false) {
+        for (const Steps& steps : both_steps) {
+            chapter.add(steps, name, scene, "3", "rest",
+                        {{"slide_m", first_order * speed * steps.dt, way}, straight_on, no_spin, not_turned},
+                        of_both("rest", {{}, seat, seat / steps.dt, seat}), quick);
+        }
+    };
+    add("cone-16-directions", cubes_in_16_directions(speed, friction, false), true);
+    add("cone-16-directions-on-a-box", cubes_in_16_directions(speed, friction, true));
+    add("cubes-turned-16-ways", cubes_turned_16_ways(speed, friction));
+    return chapter;
+}
+
 Chapter slab() {
     constexpr double speed = 3.0;  // m/s
     constexpr double spin = 10.0;  // rad/s
@@ -192,17 +233,6 @@ Chapter slab() {
                     {{"default", "rest"}, {"exact", "rest", {1.0}}}, true);
     }
     return chapter;
-}
-
-// Cubes that turn on the spot about the vertical, some one way and some the other.
-SceneDescription spinning_cubes(double spin, double friction) {
-    SceneDescription scene = touching("spinning-cubes", {ground()}, 0.5);
-    for (int i = 0; i < 4; ++i) {
-        scene.bodies.push_back(cube(i, {2.0 * i - 3.0, 0.5, 0}));
-        scene.bodies.back().orientation = turned(0.35 * i);
-        scene.bodies.back().angular_velocity = {0, i % 2 == 0 ? spin : -spin, 0};
-    }
-    return with_friction(scene, friction);
 }
 
 Chapter rolls() {
@@ -252,41 +282,6 @@ Chapter hovering() {
                     {{"deflection_m_per_s", 1e-12}, {"spin_rad_per_s", 1e-12}}, of_both("moving"), true);
     }
     return chapter;
-}
-
-}  // namespace
-
-SceneDescription cubes_in_16_directions(double speed, double friction, bool on_box) {
-    return in_16_directions("cone-16-directions", on_box ? wall("ground", {16, 0.5, 16}, {0, -0.25, 0}) : ground(),
-                            box("cube", Vector3::Ones(), {0, 0.5, 0}), speed, friction);
-}
-
-SceneDescription spinning_slab(double speed, double spin, double friction) {
-    BodyDescription slab = box("slab", {1, 0.2, 1}, {0, 0.1, 0}, {speed, 0, 0});
-    slab.angular_velocity = {0, spin, 0};
-    SceneDescription scene = touching("spinning-slab", {ground(), slab}, 0.6);
-    scene.gravity = {0, -9.81, 0};
-    return with_friction(scene, friction);
-}
-
-double slide_of(const Slab& slab, double speed, double spin) {
-    Moving now;
-    now << 0, 0, 0, speed, 0, spin;
-    const double start = energy_of(slab, now);
-    // RK4. Both speeds vanish at the same time, and steps shrink with them.
-    for (double left = 1.0; left > 1e-5; left = std::sqrt(energy_of(slab, now) / start)) {
-        const double h = 1e-3 * std::max(left, 1e-3);  // s
-        const Moving k1 = rate_of(slab, now);
-        const Moving k2 = rate_of(slab, now + 0.5 * h * k1);
-        const Moving k3 = rate_of(slab, now + 0.5 * h * k2);
-        const Moving k4 = rate_of(slab, now + h * k3);
-        now += h / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4);
-    }
-    return now.head<2>().norm();
-}
-
-std::vector<Chapter> sliding_chapters() {
-    return {slopes(), directions(), slab(), rolls(), hovering()};
 }
 
 }  // namespace pushfactor::demos::reports::stability

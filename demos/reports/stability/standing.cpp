@@ -1,5 +1,5 @@
 // Cases that should stand: towers, cubes of all sizes, overlaps, thin bodies, and hard members of the families.
-#include "demos/reports/stability/cases.h"
+#include "demos/reports/stability/stability.h"
 #include "demos/scenes/families/family.h"
 #include "demos/scenes/named/named_scenes.h"
 
@@ -12,6 +12,114 @@ namespace pushfactor::demos::reports::stability {
 namespace {
 
 using families::GivenValues;
+
+constexpr double height = 0.6;            // m, of a standing card
+constexpr double plank_thickness = 0.02;  // m
+
+// A card on its long edge, leaning by `angle` towards +x (-x if negative): its lower edge is on the ground, and
+// `at` [m] is the x coordinate of the farthest point of its upper end.
+BodyDescription leaning_card(const std::string& name, double angle, double at) {
+    const double sine = elementary::sin(std::abs(angle));
+    const double cosine = elementary::cos(angle);
+    const double reach = 0.5 * (height * sine + card_thickness * cosine);
+    const double middle = 0.5 * (height * cosine + card_thickness * sine);
+    BodyDescription card =
+        box(name, {card_thickness, height, 1.0}, {angle > 0.0 ? at - reach : at + reach, middle, 0});
+    card.orientation = inclined(-angle);
+    return card;
+}
+
+BodyDescription support() {
+    return wall("box", {0.4, 0.4, 1.2}, {0.2, 0.2, 0});
+}
+
+// Upright on its long edge, flat against a box.
+SceneDescription card_upright() {
+    SceneDescription scene =
+        touching("card-upright", {ground(), support(), leaning_card("card", 0.0, card_thickness)}, 0.5);
+    scene.bodies.back().position.x() = -0.5 * card_thickness;
+    return scene;
+}
+
+SceneDescription plank_on_supports() {
+    const Vector3 size(0.1, 0.3, 0.3);
+    return touching("plank-on-supports",
+                    {ground(), wall("left", size, {-0.8, 0.15, 0}), wall("right", size, {0.8, 0.15, 0}),
+                     box("plank", {2, plank_thickness, 0.2}, {0, 0.3 + 0.5 * plank_thickness, 0})},
+                    0.4);
+}
+
+SceneDescription lying(const std::string& name, const std::string& body, double width, double angle) {
+    BodyDescription thin = box(body, {1, card_thickness, width}, {0, 0.5 * card_thickness, 0});
+    thin.orientation = turned(angle);
+    return touching(name, {ground(), thin}, 0.5);
+}
+
+const Check no_energy{"energy_gain_j", 1e-6};  // is gained
+
+Check penetration(double most) {
+    return {"max_penetration_m", most};
+}
+
+// Checks of structures that stand: moved by at most `moved` sideways [m], no creep.
+Checks standing(double deep, double moved) {
+    return {penetration(deep), {"max_off_axis_m", moved}, no_energy, {"drift_after_10_s_m", 1e-4}};
+}
+
+// Checks of bodies that slide or topple, sideways by at least `left` [m].
+Checks leaving(double left) {
+    return {penetration(0.01), {.measure = "max_off_axis_m", .bar = left, .at_least = true}, no_energy};
+}
+
+const Checks piled{penetration(0.1), no_energy};
+
+const Checks exactly = standing(1e-9, 1e-6);  // structures that stand, solved to rounding
+
+// A member with friction 0.5 and gap 0 unless `given` differs.
+SceneDescription member(const std::string& family_name, const GivenValues& given) {
+    families::Choice choice{.given = given};
+    const families::Family& family = *families::find_family(family_name);
+    for (const families::FamilyParameter& parameter : family.parameters) {
+        if (parameter.range.name == "friction") choice.given.emplace_back("friction", "0.5");
+        if (parameter.range.name == "gap") choice.given.emplace_back("gap", "0");
+    }
+    SceneDescription scene = draw_member(family, choice).prospect.scene;
+    scene.options.clear();
+    return scene;
+}
+
+}  // namespace
+
+SceneDescription pile(const Pile& pile) {
+    SceneDescription scene = touching("pile", {ground()});
+    scene.gravity = {0, -pile.gravity, 0};
+    scene.bodies.front().position = pile.origin;
+    constexpr int count = 5;
+    for (int i = 0; i < count; ++i) {
+        const Vector3 place(0.003 * i, 0.5 - 1e-4 + i * (1.0 - 1e-4), -0.002 * i);
+        scene.bodies.push_back(cube(i, pile.origin + pile.side * place));
+        scene.bodies.back().shape = BoxShape{Vector3::Constant(pile.side)};
+        scene.bodies.back().mass = 1000.0 * (pile.side * pile.side * pile.side);
+    }
+    scene.view = scenes::view_of(pile.origin + Vector3(0, 0.46 * count * pile.side, 0), count * pile.side);
+    return scene;
+}
+
+SceneDescription card_leaning(double angle) {
+    SceneDescription scene = touching("card-leaning", {ground(), support(), leaning_card("card", angle, 0.0)});
+    // Moved along x until its face touches the edge of the box.
+    BodyDescription& card = scene.bodies.back();
+    const Vector3 face = card.orientation * Vector3::UnitX();
+    const Vector3 point = card.position + 0.5 * card_thickness * face;
+    card.position.x() += face.dot(Vector3(0, 0.4, 0) - point) / face.x();
+    scene.view = {.eye = {-6, 5, 14}};
+    return scene;
+}
+
+SceneDescription card_house(double angle) {
+    return touching("card-house", {ground(), leaning_card("left", angle, 0.0), leaning_card("right", -angle, 0.0)},
+                    0.4);
+}
 
 Chapter heavy_on_light() {
     Chapter chapter{"heavy-on-light", "A cube of up to 1e6 kg on a cube of 1 kg, 10 s: stands"};
@@ -102,48 +210,6 @@ Chapter overlaps() {
     return chapter;
 }
 
-constexpr double height = 0.6;            // m, of a standing card
-constexpr double plank_thickness = 0.02;  // m
-
-// A card on its long edge, leaning by `angle` towards +x (-x if negative): its lower edge is on the ground, and
-// `at` [m] is the x coordinate of the farthest point of its upper end.
-BodyDescription leaning_card(const std::string& name, double angle, double at) {
-    const double sine = elementary::sin(std::abs(angle));
-    const double cosine = elementary::cos(angle);
-    const double reach = 0.5 * (height * sine + card_thickness * cosine);
-    const double middle = 0.5 * (height * cosine + card_thickness * sine);
-    BodyDescription card =
-        box(name, {card_thickness, height, 1.0}, {angle > 0.0 ? at - reach : at + reach, middle, 0});
-    card.orientation = inclined(-angle);
-    return card;
-}
-
-BodyDescription support() {
-    return wall("box", {0.4, 0.4, 1.2}, {0.2, 0.2, 0});
-}
-
-// Upright on its long edge, flat against a box.
-SceneDescription card_upright() {
-    SceneDescription scene =
-        touching("card-upright", {ground(), support(), leaning_card("card", 0.0, card_thickness)}, 0.5);
-    scene.bodies.back().position.x() = -0.5 * card_thickness;
-    return scene;
-}
-
-SceneDescription plank_on_supports() {
-    const Vector3 size(0.1, 0.3, 0.3);
-    return touching("plank-on-supports",
-                    {ground(), wall("left", size, {-0.8, 0.15, 0}), wall("right", size, {0.8, 0.15, 0}),
-                     box("plank", {2, plank_thickness, 0.2}, {0, 0.3 + 0.5 * plank_thickness, 0})},
-                    0.4);
-}
-
-SceneDescription lying(const std::string& name, const std::string& body, double width, double angle) {
-    BodyDescription thin = box(body, {1, card_thickness, width}, {0, 0.5 * card_thickness, 0});
-    thin.orientation = turned(angle);
-    return touching(name, {ground(), thin}, 0.5);
-}
-
 Chapter thin() {
     Chapter chapter{"thin", "Cards, a plank and a rod that lie, stand and lean, 20 s: stand"};
     const auto add = [&chapter](const SceneDescription& scene, double thickness, bool quick = false) {
@@ -161,39 +227,6 @@ Chapter thin() {
     add(plank_on_supports(), plank_thickness);
     add(lying("rod-lying", "rod", card_thickness, 0.5), card_thickness);
     return chapter;
-}
-
-const Check no_energy{"energy_gain_j", 1e-6};  // is gained
-
-Check penetration(double most) {
-    return {"max_penetration_m", most};
-}
-
-// Checks of structures that stand: moved by at most `moved` sideways [m], no creep.
-Checks standing(double deep, double moved) {
-    return {penetration(deep), {"max_off_axis_m", moved}, no_energy, {"drift_after_10_s_m", 1e-4}};
-}
-
-// Checks of bodies that slide or topple, sideways by at least `left` [m].
-Checks leaving(double left) {
-    return {penetration(0.01), {.measure = "max_off_axis_m", .bar = left, .at_least = true}, no_energy};
-}
-
-const Checks piled{penetration(0.1), no_energy};
-
-const Checks exactly = standing(1e-9, 1e-6);  // structures that stand, solved to rounding
-
-// A member with friction 0.5 and gap 0 unless `given` differs.
-SceneDescription member(const std::string& family_name, const GivenValues& given) {
-    families::Choice choice{.given = given};
-    const families::Family& family = *families::find_family(family_name);
-    for (const families::FamilyParameter& parameter : family.parameters) {
-        if (parameter.range.name == "friction") choice.given.emplace_back("friction", "0.5");
-        if (parameter.range.name == "gap") choice.given.emplace_back("gap", "0");
-    }
-    SceneDescription scene = draw_member(family, choice).prospect.scene;
-    scene.options.clear();
-    return scene;
 }
 
 // Hard members of the families (demos/scenes/families): what should stand must not move, what should slide or
@@ -263,48 +296,13 @@ Chapter structures() {
     return chapter;
 }
 
-}  // namespace
-
-SceneDescription pile(const Pile& pile) {
-    SceneDescription scene = touching("pile", {ground()});
-    scene.gravity = {0, -pile.gravity, 0};
-    scene.bodies.front().position = pile.origin;
-    constexpr int count = 5;
-    for (int i = 0; i < count; ++i) {
-        const Vector3 place(0.003 * i, 0.5 - 1e-4 + i * (1.0 - 1e-4), -0.002 * i);
-        scene.bodies.push_back(cube(i, pile.origin + pile.side * place));
-        scene.bodies.back().shape = BoxShape{Vector3::Constant(pile.side)};
-        scene.bodies.back().mass = 1000.0 * (pile.side * pile.side * pile.side);
-    }
-    scene.view = scenes::view_of(pile.origin + Vector3(0, 0.46 * count * pile.side, 0), count * pile.side);
-    return scene;
-}
-
-SceneDescription card_leaning(double angle) {
-    SceneDescription scene = touching("card-leaning", {ground(), support(), leaning_card("card", angle, 0.0)});
-    // Moved along x until its face touches the edge of the box.
-    BodyDescription& card = scene.bodies.back();
-    const Vector3 face = card.orientation * Vector3::UnitX();
-    const Vector3 point = card.position + 0.5 * card_thickness * face;
-    card.position.x() += face.dot(Vector3(0, 0.4, 0) - point) / face.x();
-    scene.view = {.eye = {-6, 5, 14}};
-    return scene;
-}
-
-SceneDescription card_house(double angle) {
-    return touching("card-house", {ground(), leaning_card("left", angle, 0.0), leaning_card("right", -angle, 0.0)},
-                    0.4);
-}
-
-std::vector<Chapter> standing_chapters() {
-    return {heavy_on_light(), heights(), step_lengths(), sizes_and_places(), overlaps(), thin(), structures()};
-}
-
 std::vector<Chapter> chapters(bool quick) {
     std::vector<Chapter> all;
-    for (const auto& some :
-         {standing_chapters(), motion_chapters(), sliding_chapters(), floor_chapters(), bar_chapters()})
-        all.insert(all.end(), some.begin(), some.end());
+    for (MakeChapter* const make :
+         {heavy_on_light, heights,  step_lengths, sizes_and_places, overlaps,    thin,           structures,
+          impacts,        passing,  turning,      bounces,          slopes,      directions,     slab,
+          rolls,          hovering, seams,        chains,           ball_joints, redundant_bars, little})
+        all.push_back(make());
     if (!quick) return all;
     for (Chapter& chapter : all) std::erase_if(chapter.cases, [](const Case& one) { return !one.quick; });
     std::erase_if(all, [](const Chapter& chapter) { return chapter.cases.empty(); });

@@ -1,18 +1,14 @@
-#include "demos/reports/stability/trial.h"
-
 #include "demos/base/platform/child_process.h"
 #include "demos/base/platform/output_file.h"
 #include "demos/base/text/csv.h"
 #include "demos/base/text/errors.h"
 #include "demos/base/text/json_reader.h"
 #include "demos/base/text/numbers.h"
-#include "demos/reports/study.h"
+#include "demos/reports/stability/stability.h"
 #include "demos/scenes/scene_file.h"
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
 #include <chrono>
 #include <cmath>
 #include <fstream>
@@ -103,32 +99,25 @@ Json Trial::run(const fs::path& program, const StopCheck& check) const {
         std::this_thread::sleep_for(std::chrono::milliseconds(2));
     }
     const Ending ending = tool.ending();
-    Json result = measured(ending.status == done);
-    if (ending.status != done) result["outcome"] = "non-finite";
-    if (ending.status != done && ending.status != not_finite) {
+    Json result{{"outcome", "non-finite"}, {"values", Json::array()}, {"files", Json::object()}};
+    Evidence evidence{.scene = &start_};
+    if (ending.status == done) {
+        evidence.summary = read_json_file(file(".json"), "summary");
+        result["outcome"] = evidence.summary.at("outcome");
+        for (const std::string& output : outputs_)
+            evidence.outputs[output] = read_columns(file("." + output + ".csv"));
+    } else if (ending.status != not_finite) {
         result["outcome"] = "failed: " + ending.words;
         result["failed"] = ending.words;
+    }
+    for (const Check& check : one_.checks) {
+        const bool ended = ending.status == done;
+        result["values"].push_back(json_numbers(ended ? take(check.measure, evidence) : std::vector<double>{}));
     }
     for (const std::string& name : kept) {
         if (const auto text = read_bytes_of(folder_ / name)) result["files"][name] = *text;
     }
     for (const std::string& output : outputs_) fs::remove(file("." + output + ".csv"));
-    return result;
-}
-
-// Outcome and values of each check; without values if the run has not reached its end.
-Json Trial::measured(bool ended) const {
-    Json result{{"outcome", ""}, {"values", Json::array()}, {"files", Json::object()}};
-    Evidence evidence{.scene = &start_};
-    if (ended) {
-        evidence.summary = read_json_file(file(".json"), "summary");
-        result["outcome"] = evidence.summary.at("outcome");
-        for (const std::string& output : outputs_)
-            evidence.outputs[output] = read_columns(file("." + output + ".csv"));
-    }
-    for (const Check& check : one_.checks) {
-        result["values"].push_back(json_numbers(ended ? take(check.measure, evidence) : std::vector<double>{}));
-    }
     return result;
 }
 

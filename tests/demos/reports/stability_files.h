@@ -1,7 +1,7 @@
 // Scenes of the stability report whose files are in tests/scenes.
 #pragma once
 
-#include "demos/reports/stability/cases.h"
+#include "demos/reports/stability/stability.h"
 
 #include <filesystem>
 #include <map>

@@ -1,6 +1,5 @@
 // The measures of the stability report on known motions.
-#include "demos/reports/stability/cases.h"
-#include "demos/reports/stability/trial.h"
+#include "demos/reports/stability/stability.h"
 #include "tests/catch.h"
 
 #include <cmath>

@@ -1,6 +1,5 @@
 // The stability report command: its table, thumbnails, commands that show the same; and how a case is judged.
-#include "demos/reports/stability/cases.h"
-#include "demos/reports/stability/trial.h"
+#include "demos/reports/stability/stability.h"
 #include "tests/catch.h"
 #include "tests/demos/csv.h"
 #include "tests/demos/pages/check_page.h"

@@ -1,7 +1,7 @@
 // The scenes of the stability report's chapters on friction, floors, thin bodies and ball joints, and their files
 // in tests/scenes, which build/release/tests/make_expected writes.
 #include "demos/base/text/json.h"
-#include "demos/reports/stability/cases.h"
+#include "demos/reports/stability/stability.h"
 #include "demos/runs/simulation.h"
 #include "demos/scenes/scene_file.h"
 #include "tests/catch.h"
