@@ -2,7 +2,6 @@
 // complete. A piece is a cell, so that the full atlas, the quick one and a part share what they have in common.
 #include "demos/base/platform/output_file.h"
 #include "demos/base/platform/version.h"
-#include "demos/base/text/palette.h"
 #include "demos/base/text/suggest.h"
 #include "demos/figures/plot.h"
 #include "demos/pages/short_numbers.h"
@@ -12,7 +11,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 
@@ -92,17 +90,10 @@ std::string ticks_of(const AtlasAxis& axis) {
     std::string text;
     for (std::size_t i = 0; i < axis.values.size(); i += every) {
         const std::string& value = axis.values[i];
-        text += fmt::format("{}\"{}\" {}", text.empty() ? "" : ", ", axis.tick(value), axis.shown(value));
+        const std::string tick = axis.scale == 1.0 ? value : fmt::format("{:.3g}", axis.shown(value));
+        text += fmt::format("{}\"{}\" {}", text.empty() ? "" : ", ", tick, axis.shown(value));
     }
     return text;
-}
-
-// 0xRRGGBB of a name in the palette or of "#RRGGBB".
-int number_of(std::string_view colour) {
-    if (const auto found = find_colour(colour)) return number_of(*found);
-    int number = 0;
-    std::from_chars(colour.data() + 1, colour.data() + colour.size(), number, 16);
-    return number;
 }
 
 // Two blocks, the cells and the theory. Never empty, because gnuplot does not count empty blocks.
@@ -116,8 +107,8 @@ std::string data_of(const AtlasMap& map, const std::vector<CellResult>& results,
         const OutcomeLook& look = *std::ranges::find(outcome_looks, results[i].outcome, &OutcomeLook::outcome);
         text += fmt::format(
             "{},{},{},{},{},{},{},{},{}\n", map.x.shown(map.x.values[column]), map.y.shown(map.y.values[row]),
-            xs[column], xs[column + 1], ys[row], ys[row + 1], number_of(look.colour),
-            has_room && !std::isnan(results[i].value) ? short_number(results[i].value) : " ", number_of(look.ink));
+            xs[column], xs[column + 1], ys[row], ys[row + 1], look.colour,
+            has_room && !std::isnan(results[i].value) ? short_number(results[i].value) : " ", look.ink);
     }
     text += "\n\n# theory: x,y\n";
     constexpr int points = 400;
@@ -135,7 +126,7 @@ std::string data_of(const AtlasMap& map, const std::vector<CellResult>& results,
 // gnuplot is installed, draws it as NAME.png and NAME.svg. `results` are those of cells_of(map), in that order.
 Section atlas_section(const AtlasMap& map, const std::vector<CellResult>& results,
                       const std::filesystem::path& folder) {
-    const std::string command = command_of(cell_at(map, "X", "Y"));  // of all cells, with X and Y for the values
+    const std::string command = cell_at(map, "X", "Y").command();  // of all cells, with X and Y for the values
     Section section{map.name, map.title};
     section.content.caption = fmt::format("{} The numbers: {} of the summary.", map.caption, map.measure.key);
     section.content.commands = {command};
@@ -144,7 +135,7 @@ Section atlas_section(const AtlasMap& map, const std::vector<CellResult>& result
     for (const OutcomeLook& look : outcome_looks) {
         if (std::ranges::find(results, look.outcome, &CellResult::outcome) == results.end()) continue;
         words += fmt::format("\"{}\" ", look.outcome == name_of(Outcome::moving) ? map.moving : look.words);
-        colours += fmt::format("#{:06x} ", number_of(look.colour));
+        colours += fmt::format("#{:06x} ", look.colour);
     }
     const Plot plot{.script = "atlas",
                     .data = map.name + ".dat",
@@ -181,7 +172,7 @@ void make_atlas(StudyRun& run) {
             const auto& [outcome, value] =
                 results.emplace_back(CellResult{found->at("outcome"), number_in(found->at("value"))});
             lines.rows.push_back({map.name, map.x.option, cell.x, map.y.option, cell.y, outcome, map.measure.key,
-                                  std::isnan(value) ? Cell() : Cell(value), command_of(cell)});
+                                  std::isnan(value) ? Cell() : Cell(value), cell.command()});
         }
         if (results.size() < map.x.values.size() * map.y.values.size()) continue;
         table.rows.insert(table.rows.end(), lines.rows.begin(), lines.rows.end());
@@ -218,10 +209,6 @@ std::vector<AtlasCell> atlas::cells_of(const AtlasMap& map) {
         for (const std::string& x : map.x.values) cells.push_back(cell_at(map, x, y));
     }
     return cells;
-}
-
-std::string atlas::command_of(const AtlasCell& cell) {
-    return command_text("run", cell.scene, cell.options);
 }
 
 CellResult atlas::run_cell(const AtlasCell& cell, const StopCheck& check) {

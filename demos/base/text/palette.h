@@ -40,4 +40,10 @@ inline int number_of(const Colour& colour) {
     return (byte(colour.red) << 16) + (byte(colour.green) << 8) + byte(colour.blue);
 }
 
+// Of the colour with this name; of another name a dark grey.
+inline int number_of(std::string_view name) {
+    const auto found = find_colour(name);
+    return found ? number_of(*found) : 0x444444;
+}
+
 }  // namespace pushfactor::demos

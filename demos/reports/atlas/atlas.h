@@ -2,14 +2,12 @@
 // coloured by the outcome of its summary, with a number of it.
 #pragma once
 
+#include "demos/base/text/palette.h"
 #include "demos/reports/study.h"
 #include "demos/runs/measurements.h"
 
 #include <array>
-#include <optional>
-#include <string>
 #include <string_view>
-#include <vector>
 
 namespace pushfactor::demos::reports::atlas {
 
@@ -22,7 +20,6 @@ struct AtlasAxis {
     bool names = false;  // values are no numbers; they are shown as 0, 1, 2, ...
 
     double shown(const std::string& value) const;
-    std::string tick(const std::string& value) const;  // the text of the shown number
 };
 
 // A number of the summary that is shown in each cell.
@@ -61,6 +58,9 @@ struct AtlasCell {
     std::string scene, x, y;  // the values of the axes
     OptionTexts options;      // of the run, with these values
     std::string measure;      // in the summary
+
+    // "pushfactor run ...", the command that reproduces it.
+    std::string command() const { return command_text("run", scene, options); }
 };
 
 // The cell at these values, which need not be among those of the axes.
@@ -69,9 +69,6 @@ AtlasCell cell_at(const AtlasMap& map, const std::string& x, const std::string& 
 // Cells of a map, row by row from below; and those whose replays were asked for.
 std::vector<AtlasCell> cells_of(const AtlasMap& map);
 std::vector<AtlasCell> cells_with_replay(const AtlasMap& map, const GridRequest& request);
-
-// "pushfactor run ...", the command that reproduces the cell.
-std::string command_of(const AtlasCell& cell);
 
 struct CellResult {
     std::string outcome;  // of the summary, or "non-finite"
@@ -83,24 +80,24 @@ CellResult run_cell(const AtlasCell& cell, const StopCheck& check);
 
 struct OutcomeLook {
     std::string_view outcome;
-    std::string_view words;   // for the legend
-    std::string_view colour;  // name in the palette, or #RRGGBB
-    std::string_view ink;     // on that colour
+    std::string_view words;  // for the legend
+    int colour;              // 0xRRGGBB
+    int ink;                 // on that colour
 };
 
 inline constexpr std::string_view non_finite = "non-finite";
 
 // All outcomes of a run, from good to bad. The greys differ in lightness from all colours of the palette.
-inline constexpr std::array outcome_looks{
-    OutcomeLook{"rest", "rest", "green", "#111111"},
-    OutcomeLook{"jitter", "jitter: shakes in place", "ivory", "#222222"},
-    OutcomeLook{"creep", "creep: drifts slowly", "blue", "#ffffff"},
-    OutcomeLook{"moving", "moving", "orange", "#222222"},
-    OutcomeLook{"fall", "fall: came down", "vermilion", "#111111"},
-    OutcomeLook{"torn", "torn: bars gave way", "#555555", "#ffffff"},
-    OutcomeLook{"fly", "fly: was thrown away", "violet", "#ffffff"},
-    OutcomeLook{"tunnel", "tunnel: is in the ground", "#888888", "#111111"},
-    OutcomeLook{non_finite, "non-finite numbers", "#111111", "#ffffff"},
+inline const std::array outcome_looks{
+    OutcomeLook{"rest", "rest", number_of("green"), 0x111111},
+    OutcomeLook{"jitter", "jitter: shakes in place", number_of("ivory"), 0x222222},
+    OutcomeLook{"creep", "creep: drifts slowly", number_of("blue"), 0xffffff},
+    OutcomeLook{"moving", "moving", number_of("orange"), 0x222222},
+    OutcomeLook{"fall", "fall: came down", number_of("vermilion"), 0x111111},
+    OutcomeLook{"torn", "torn: bars gave way", 0x555555, 0xffffff},
+    OutcomeLook{"fly", "fly: was thrown away", number_of("violet"), 0xffffff},
+    OutcomeLook{"tunnel", "tunnel: is in the ground", 0x888888, 0x111111},
+    OutcomeLook{non_finite, "non-finite numbers", 0x111111, 0xffffff},
 };
 
 // A number short enough for a cell: "0.31", "12", "4e-7", "0".

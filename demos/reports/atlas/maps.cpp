@@ -84,45 +84,48 @@ double step_that_tension_allows(double end_mass) {
 constexpr std::size_t most_values = 10000;  // of an axis
 constexpr const char* forms = "must be OPTION=FROM:TO:STEP, OPTION=log:FROM:TO:COUNT or OPTION=A,B,C";
 
-[[noreturn]] void refuse(const std::string& field, const std::string& text, const std::string& why) {
-    throw UsageError("{} {}: {}", field, text, why);
+// An option of the command line, as messages name it.
+struct Typed {
+    std::string field, text;
+};
+
+[[noreturn]] void refuse(const Typed& typed, const std::string& why) {
+    throw UsageError("{} {}: {}", typed.field, typed.text, why);
 }
 
-std::pair<std::string, std::string> name_and_value(const std::string& field, const std::string& text,
-                                                   const std::string& allowed) {
+std::pair<std::string, std::string> name_and_value(const Typed& typed, const std::string& allowed) {
+    const auto& text = typed.text;
     const auto equals = text.find('=');
-    if (equals == std::string::npos || equals == 0 || equals + 1 == text.size()) refuse(field, text, allowed);
+    if (equals == std::string::npos || equals == 0 || equals + 1 == text.size()) refuse(typed, allowed);
     return {text.substr(0, equals), text.substr(equals + 1)};
 }
 
 // Exact: 0.1, 0.2, 0.3 and not 0.30000000000000004.
-std::vector<std::string> equal_steps(const std::string& field, const std::string& text,
-                                     const std::vector<std::string_view>& words) {
+std::vector<std::string> equal_steps(const Typed& typed, const std::vector<std::string_view>& words) {
     const auto from = parse_rational(words[0]), to = parse_rational(words[1]), step = parse_rational(words[2]);
-    if (!from || !to || !step) refuse(field, text, forms);
+    if (!from || !to || !step) refuse(typed, forms);
     const double count = std::floor((to->value() - from->value()) / step->value() + 1e-9) + 1.0;
     if (step->value() == 0.0 || !(count >= 2.0) || count > static_cast<double>(most_values)) {
-        refuse(field, text, fmt::format("must have 2 to {} values from FROM to TO", most_values));
+        refuse(typed, fmt::format("must have 2 to {} values from FROM to TO", most_values));
     }
     std::vector<std::string> values;
     for (std::int64_t i = 0; i < static_cast<std::int64_t>(count); ++i) {
         try {
             values.push_back(to_text(*from + *step * Rational{i, 1}));
         } catch (const std::overflow_error& error) {
-            refuse(field, text, error.what());
+            refuse(typed, error.what());
         }
     }
     return values;
 }
 
 // `whole`: rounded to whole numbers, without repetitions.
-std::vector<std::string> equal_factors(const std::string& field, const std::string& text,
-                                       const std::vector<std::string_view>& words, bool whole) {
+std::vector<std::string> equal_factors(const Typed& typed, const std::vector<std::string_view>& words, bool whole) {
     const auto from = parse_number(words[1]), to = parse_number(words[2]);
     const auto count = parse_integer(words[3]);
-    if (!from || !to || !count) refuse(field, text, forms);
+    if (!from || !to || !count) refuse(typed, forms);
     if (*from <= 0.0 || *to <= *from || *count < 2 || *count > static_cast<int>(most_values)) {
-        refuse(field, text, fmt::format("must be 0 < FROM < TO and COUNT from 2 to {}", most_values));
+        refuse(typed, fmt::format("must be 0 < FROM < TO and COUNT from 2 to {}", most_values));
     }
     std::vector<std::string> values;
     for (int i = 0; i < *count; ++i) {
@@ -135,18 +138,13 @@ std::vector<std::string> equal_factors(const std::string& field, const std::stri
     return values;
 }
 
-void require_option(const Choices& choices, const std::string& field, const std::string& text,
-                    const std::string& name) {
+// An option that the run has, and that is not among `set`: of two values for one option, one would be ignored.
+void require_free(const Choices& run, const OptionTexts& set, const Typed& typed, const std::string& name) {
     std::vector<std::string> known = simulation_option_names();
-    for (const auto& [parameter, value] : choices.parameters) known.push_back(parameter);
-    if (std::ranges::find(known, name) == known.end()) refuse(field, text, name + " " + one_of(name, known));
-}
-
-// Of two values for one option, one would be ignored.
-void require_unset(const OptionTexts& set, const std::string& field, const std::string& text,
-                   const std::string& name) {
+    for (const auto& [parameter, value] : run.parameters) known.push_back(parameter);
+    if (std::ranges::find(known, name) == known.end()) refuse(typed, name + " " + one_of(name, known));
     const auto found = std::ranges::find(set, name, [](const auto& option) { return option.first; });
-    if (found != set.end()) refuse(field, text, fmt::format("must be without --set {}={}", name, found->second));
+    if (found != set.end()) refuse(typed, fmt::format("must be without --set {}={}", name, found->second));
 }
 
 // Throws UsageError for a value that no run accepts.
@@ -166,34 +164,32 @@ bool accepts(const GridRequest& request, const OptionTexts& set, const std::stri
     }
 }
 
-AtlasAxis axis_of(const GridRequest& request, const OptionTexts& set, const std::string& field,
-                  const std::string& text) {
-    const auto [name, value] = name_and_value(field, text, forms);
-    require_option(run_of(request.scene, set), field, text, name);
-    require_unset(set, field, text, name);
+AtlasAxis axis_of(const GridRequest& request, const OptionTexts& set, const Typed& typed) {
+    const auto [name, value] = name_and_value(typed, forms);
+    require_free(run_of(request.scene, set), set, typed, name);
     AtlasAxis axis{.option = name, .label = name, .values = {}, .scale = 1.0, .logarithmic = false};
     const std::vector<std::string_view> words = parts_of(value, ':');
     if (words.size() == 4 && words[0] == "log") {
         axis.logarithmic = true;
-        axis.values = equal_factors(field, text, words, false);
+        axis.values = equal_factors(typed, words, false);
         // Of counts and the like, which must be whole.
         if (axis.values.size() > 2 && !accepts(request, set, name, axis.values[1]))
-            axis.values = equal_factors(field, text, words, true);
+            axis.values = equal_factors(typed, words, true);
     } else if (words.size() == 3) {
-        axis.values = equal_steps(field, text, words);
+        axis.values = equal_steps(typed, words);
     } else if (words.size() == 1) {
         for (const std::string_view part : parts_of(value)) axis.values.emplace_back(part);
         axis.names = !std::ranges::all_of(axis.values,
                                           [](const std::string& one) { return parse_rational(one).has_value(); });
     } else {
-        refuse(field, text, forms);
+        refuse(typed, forms);
     }
     if (!axis.names) {
         std::ranges::stable_sort(axis.values, {}, [&](const std::string& one) { return axis.shown(one); });
     }
     const auto same = [&](const auto& a, const auto& b) { return axis.shown(a) == axis.shown(b); };
     if (axis.values.size() < 2 || std::ranges::adjacent_find(axis.values, same) != axis.values.end()) {
-        refuse(field, text, "must have at least two values, and none twice");
+        refuse(typed, "must have at least two values, and none twice");
     }
     if (words.size() == 1) axis.names = true;  // a list has equal cells, whatever its numbers are
     for (const std::string& one : axis.values) require_accepted(request, set, name, one);
@@ -203,9 +199,8 @@ AtlasAxis axis_of(const GridRequest& request, const OptionTexts& set, const std:
 OptionTexts options_of(const GridRequest& request) {
     OptionTexts options;
     for (const std::string& text : request.set) {
-        const auto [name, value] = name_and_value("--set", text, "must be OPTION=VALUE");
-        require_option(run_of(request.scene, {}), "--set", text, name);
-        require_unset(options, "--set", text, name);
+        const auto [name, value] = name_and_value({"--set", text}, "must be OPTION=VALUE");
+        require_free(run_of(request.scene, {}), options, {"--set", text}, name);
         options.emplace_back(name, value);
     }
     return options;
@@ -228,10 +223,6 @@ void require_measure(const std::string& measure, const GridRequest& request, con
 double AtlasAxis::shown(const std::string& value) const {
     if (names) return static_cast<double>(std::find(values.begin(), values.end(), value) - values.begin());
     return scale * parse_rational(value).value().value();
-}
-
-std::string AtlasAxis::tick(const std::string& value) const {
-    return scale == 1.0 ? value : fmt::format("{:.3g}", shown(value));
 }
 
 std::vector<AtlasMap> atlas_maps(bool quick) {
@@ -297,22 +288,19 @@ std::vector<AtlasMap> atlas_maps(bool quick) {
 AtlasMap grid_map(const GridRequest& request) {
     const OptionTexts options = options_of(request);
     const std::string measure = request.measure.value_or("max_penetration_m");
-    AtlasMap map{.name = "grid",
-                 .title = {},
-                 .caption = {},
-                 .scene = request.scene,
-                 .common = options,
-                 .x = axis_of(request, options, "--x", request.x),
-                 .y = axis_of(request, options, "--y", request.y),
-                 .measure = {.key = measure, .words = measure}};
-    if (map.x.option == map.y.option) {
-        refuse("--y", request.y, "must be another option than that of --x");
-    }
+    const AtlasAxis x = axis_of(request, options, {"--x", request.x}),
+                    y = axis_of(request, options, {"--y", request.y});
+    if (x.option == y.option) refuse({"--y", request.y}, "must be another option than that of --x");
     require_measure(measure, request, options);
-    map.title =
-        fmt::format("{}: {} and {}", run_of(request.scene, options).description.name, map.x.option, map.y.option);
-    map.caption = fmt::format("{} runs.", map.x.values.size() * map.y.values.size());
-    return map;
+    const std::string scene = run_of(request.scene, options).description.name;
+    return {.name = "grid",
+            .title = fmt::format("{}: {} and {}", scene, x.option, y.option),
+            .caption = fmt::format("{} runs.", x.values.size() * y.values.size()),
+            .scene = request.scene,
+            .common = options,
+            .x = x,
+            .y = y,
+            .measure = {.key = measure, .words = measure}};
 }
 
 std::vector<AtlasCell> cells_with_replay(const AtlasMap& map, const GridRequest& request) {
@@ -324,7 +312,7 @@ std::vector<AtlasCell> cells_with_replay(const AtlasMap& map, const GridRequest&
             return std::ranges::find(axis.values, value) != axis.values.end();
         };
         if (parts.size() != 2 || !has(map.x, parts[0]) || !has(map.y, parts[1])) {
-            refuse("--replays", text, "must be all, or X:Y with a value of each axis as its table has it");
+            refuse({"--replays", text}, "must be all, or X:Y with a value of each axis as its table has it");
         }
         chosen.push_back(cell_at(map, std::string(parts[0]), std::string(parts[1])));
     }

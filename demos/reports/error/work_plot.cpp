@@ -85,11 +85,6 @@ Axes axes_of(const WorkPlot& plot) {
     return axes;
 }
 
-int number_of(const std::string& colour) {
-    const auto found = find_colour(colour);
-    return found ? number_of(*found) : 0x444444;
-}
-
 // One block of the data file. Never empty, because gnuplot does not count empty blocks.
 std::string block(const std::string& what, const std::string& lines) {
     return fmt::format("# {}\n{}\n\n", what, lines.empty() ? "nan,nan,,0\n" : lines);

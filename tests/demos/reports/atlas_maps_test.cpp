@@ -43,13 +43,13 @@ TEST_CASE("every cell of the atlas is a run that the program takes, and no two a
             if (axis->logarithmic) CHECK(axis->shown(axis->values.front()) > 0.0);
         }
         for (const AtlasCell& cell : cells_of(map)) {
-            INFO(command_of(cell));
+            INFO(cell.command());
             OptionTexts options = map.common;
             options.emplace_back(map.x.option, cell.x);
             options.emplace_back(map.y.option, cell.y);
             CHECK_NOTHROW(run_of(map.scene, options));
-            CHECK(command_of(cell).find(',') == std::string::npos);
-            commands.insert(command_of(cell));
+            CHECK(cell.command().find(',') == std::string::npos);
+            commands.insert(cell.command());
             ++count;
         }
     }
@@ -57,7 +57,7 @@ TEST_CASE("every cell of the atlas is a run that the program takes, and no two a
 }
 
 TEST_CASE("an outcome of every kind has a look of its own") {
-    std::set<std::string_view> colours;
+    std::set<int> colours;
     for (const OutcomeLook& look : outcome_looks) colours.insert(look.colour);
     CHECK(colours.size() == outcome_looks.size());
     for (const Outcome outcome : {Outcome::fly, Outcome::tunnel, Outcome::torn, Outcome::fall, Outcome::moving,
