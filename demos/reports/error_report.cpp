@@ -5,7 +5,6 @@
 #include "demos/base/text/errors.h"
 #include "demos/base/text/suggest.h"
 #include "demos/reports/error/error.h"
-#include "demos/reports/error/frozen.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -13,8 +12,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
-#include <set>
 
 namespace pushfactor::demos::reports {
 
@@ -49,10 +46,14 @@ std::vector<ErrorPoint> others_of(const StudyRequest& request) {
 
 Pieces error_pieces(const StudyRequest& request) {
     others_of(request);
-    Pieces pieces = point_pieces(experiments_of(request));
-    const auto add = [&pieces](const Pieces& more) { pieces.insert(pieces.end(), more.begin(), more.end()); };
-    add(frozen_pieces(moments_of(request), request.quick));
-    if (request.wants(consistency_part)) add(consistency_pieces(request.quick));
+    Pieces pieces;
+    for (const Experiment& sweep : experiments_of(request)) {
+        for (const Method& method : sweep.methods) {
+            for (const std::string& value : method.values) pieces.push_back(piece_of(sweep, method, value));
+        }
+    }
+    for (const FrozenMoment& moment : moments_of(request)) pieces.push_back(piece_of(moment, request.quick));
+    if (request.wants(consistency_part)) add_consistency(request.quick, pieces);
     return pieces;
 }
 
@@ -167,7 +168,7 @@ class ErrorReport {
         const std::size_t first = points_.size();
         for (const Method& method : sweep.methods) {
             for (const std::string& value : method.values)
-                points_.push_back(point_in(run_.result(key_of(sweep, method, value)), method));
+                points_.push_back(point_in(run_.result(piece_of(sweep, method, value).key), method));
         }
         run_.write("error.csv", table_of(points_));
         const auto points = std::span<const ErrorPoint>(points_).subspan(first);
@@ -237,7 +238,7 @@ class ErrorReport {
     }
 
     void add_moment(const FrozenMoment& moment) {
-        const Json result = run_.result(key_of(moment, run_.quick()));
+        const Json result = run_.result(piece_of(moment, run_.quick()).key);
         const auto lines = result.at("lines").get<std::vector<std::vector<std::string>>>();
         for (const auto& cells : lines) frozen_.rows.emplace_back(cells.begin(), cells.end());
         run_.write("frozen.csv", frozen_);

@@ -18,18 +18,20 @@ void take_checkpoint(const BuiltScene& scene, double parts, Checkpoint& into) {
     }
 }
 
+void take_state(const engine::Body& body, BodyDescription& into) {
+    into.position = body.position;
+    into.orientation = body.orientation;
+    if (body.is_static()) return;
+    into.velocity.setZero();
+    into.angular_velocity.setZero();
+    into.linear_momentum = body.linear_momentum;
+    into.angular_momentum = body.angular_momentum;
+}
+
 SceneDescription resumed(SceneDescription description, const BuiltScene& scene, const Checkpoint& checkpoint) {
     for (std::size_t i = 0; i < description.bodies.size(); ++i) {
-        const engine::Body& body = checkpoint.bodies[i];
-        BodyDescription& described = description.bodies[i];
-        if (described.motion) continue;  // its pose is where its path begins
-        described.position = body.position;
-        described.orientation = body.orientation;
-        if (body.is_static()) continue;
-        described.velocity.setZero();
-        described.angular_velocity.setZero();
-        described.linear_momentum = body.linear_momentum;
-        described.angular_momentum = body.angular_momentum;
+        if (description.bodies[i].motion) continue;  // its pose is where its path begins
+        take_state(checkpoint.bodies[i], description.bodies[i]);
     }
     // Lengths and angles that were taken from the start must not be taken from the current state.
     for (std::size_t i = 0; i < description.distances.size(); ++i) {

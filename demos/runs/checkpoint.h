@@ -14,6 +14,9 @@ struct Checkpoint {
 // Overwrites `into`, reusing its memory. `parts`: StepDivision::level().
 void take_checkpoint(const BuiltScene& scene, double parts, Checkpoint& into);
 
+// Takes over the pose of the body, and its momenta unless it is static.
+void take_state(const engine::Body& body, BodyDescription& into);
+
 // The description that resumes `scene` from the checkpoint, bit-identical to an uninterrupted run. `description` is
 // what `scene` was built from, with every option spelled out.
 SceneDescription resumed(SceneDescription description, const BuiltScene& scene, const Checkpoint& checkpoint);

@@ -1,24 +1,117 @@
-// The report on errors: the methods that it compares, scene by scene, the points of their sweeps, and the
-// convergence of scenes to themselves. A new solver or integrator only needs a line in experiments.cpp.
+// The report on errors: true errors of runs, the methods that it compares, scene by scene, the points of their
+// sweeps, and the convergence of scenes to themselves. A new solver or integrator only needs a line in
+// experiments.cpp.
 #pragma once
 
-#include "demos/options/named_run.h"
-#include "demos/pages/table.h"
-#include "demos/reports/error/true_errors.h"
 #include "demos/reports/error/work_plot.h"
 #include "demos/reports/study.h"
-
-#include <filesystem>
-#include <optional>
-#include <span>
-#include <string>
-#include <vector>
+#include "engine/system/system_equation.h"
 
 namespace pushfactor::demos::reports::error {
 
+// True errors of runs: against closed forms, exact motion or converged forces, never against another program or a
+// finer run.
+struct NamedError {
+    std::string name;  // with its unit, "sideways_m"; without one it is relative
+    double value = 0.0;
+};
+
+// One number of what is added to it over the steps of a run, 0 of nothing.
+class ErrorNumber {
+  public:
+    enum Kind { root_mean, largest, middle, last, sum };  // root_mean: of squares
+
+    ErrorNumber(std::string name, Kind kind) : name_(std::move(name)), kind_(kind) {}
+    void add(double value);
+    NamedError result() const;
+
+  private:
+    std::string name_;
+    Kind kind_;
+    double value_ = 0.0;
+    long count_ = 0;
+    std::vector<double> all_;  // for the median
+};
+using ErrorNumbers = std::vector<ErrorNumber>;
+
+struct TrueError {
+    ErrorNumbers numbers;  // the plotted one first
+    std::function<void(const Simulation& now, ErrorNumbers& numbers)> look;
+
+    void observe(const Simulation& now) { look(now, numbers); }  // after each step
+    std::vector<NamedError> result() const;
+};
+using MakeTrueError = std::function<TrueError(const Simulation& start)>;
+
+// Reference forces: the same system solved down to a negligible residual.
+//
+//   e_f = sqrt( (lambda - lambda*)^T A (lambda - lambda*) / (lambda*^T A lambda*) )
+//
+// the relative error of the accelerations that the constraint forces give. Box on box has more contacts than
+// unknown reactions, so lambda* is not unique; A lambda* is, and e_f sees nothing else.
+//
+// Symbols: A = J M^-1 J^T [1/kg], lambda answer and lambda* converged answer [N], e_f [1].
+//
+// e_f, the largest over the columns. None if the converged forces are zero.
+std::optional<double> force_error(const engine::SystemEquation& system, const engine::Columns& lambda,
+                                  const engine::Columns& converged);
+
+// The converged forces of at most 1e-10 m/s (natural map), starting from `guess`. None if no solver converges.
+std::optional<engine::Columns> converged_forces(const engine::SystemEquation& system, const engine::Columns& guess);
+
+// Closed form of one of the parting cubes after `steps` engine steps, with everything solved exactly.
+struct PartingCube {
+    double start = 0.0;  // m, height of the centre
+    double rest = 0.0;   // m, height without overlap
+    engine::Correction push;
+    double dt = 0.0;        // s, of an engine step
+    double gravity = 10.0;  // m/s^2
+
+    // Of the centre. Persistent: all leave with beta (rest - start) / dt in the first step and fly. Single-frame:
+    // the distance to the rest height shrinks by the factor 1 - beta per step. No push: it stays.
+    double height(long steps) const;
+    double upward_speed(long steps) const;  // m/s, stored velocity
+};
+
+// Stack: distance from the exact rest positions and error of the force below the lowest cube, over the last second;
+// the largest sideways motion, zero if solved exactly, over the run. Valid for a jittered stack too: while the
+// common centre of mass of everything above a face is above that face, forces at its corners can stop the fall
+// without rotation, and the velocities of an exact solution are unique. So each cube lands straight below its
+// start.
+TrueError rest_error(const Simulation& start);
+
+// Structures that should stand: distance from the start, RMS over the bodies and the last second.
+TrueError standing_error(const Simulation& start);
+
+// Intersecting stack: distance from PartingCube, over all steps and cubes.
+TrueError parting_error(const Simulation& start);
+
+// The scene's own measure: for the wave the angle against the exact motion of two angles.
+TrueError scene_error(const Simulation& start);
+
+// A column of equal touching balls: e_f of the first step, whose exact forces are the weights above.
+TrueError column_error(const Simulation& start);
+
+// The chain: distance of the balls from the exact motion of balls on massless bars, over all steps.
+TrueError chain_error(const Simulation& start);
+
+// Piles: the deepest overlap, the median of the steps; its largest value.
+TrueError overlap_error(const Simulation& start);
+
+// Free bodies: distance of the corners of boxes from the parabola and the closed form of free rotation, over all
+// steps; its parts due to flight (of all bodies) and to rotation, and the largest relative change of rotational
+// energy. Throws engine::InvalidInput for a box whose motion scenes::FreeRotation does not cover.
+TrueError free_error(const Simulation& start);
+
+// Everything else: the median of e_f against converged forces of the same system, over thirty moments of the run.
+TrueError converged_error(const Simulation& start);
+
+// Options from a text: "solver=pgs tolerance=0".
+OptionTexts options(const std::string& text);
+
 struct Method {
     std::string name;                   // in legends
-    OptionTexts differs;                // options that differ from the sweep's
+    std::string differs;                // options that differ from the sweep's, as such a text
     std::string knob;                   // the varied option: iterations, tolerance, substeps, small-steps or dt
     std::string colour;                 // name in the palette
     int dash = 1;                       // gnuplot's dash type: 1 is solid
@@ -33,7 +126,8 @@ struct Experiment {
     std::string scene;   // of the catalogue or of assets/scenes
     std::string name{};  // of the part and its files: the scene's, unless that has several experiments
     std::string title{};
-    OptionTexts common;  // preset and what all methods share
+    std::string common;   // options that all methods share beside the preset default, as such a text
+    std::string seconds;  // of the run
     MakeTrueError error;
     std::string error_axis{};
     std::string caption{};
@@ -47,9 +141,6 @@ struct Experiment {
 
 // The experiments. `quick`: few values and short runs.
 std::vector<Experiment> error_experiments(bool quick);
-
-// "warm-start=off slop=0": options in which a method and its sweep differ from the preset.
-std::string differences(const Experiment& sweep, const Method& method);
 
 // The options at one value of the knob, and the run.
 OptionTexts options_at(const Experiment& sweep, const Method& method, const std::string& value);
@@ -85,9 +176,8 @@ bool means_failure(const std::string& outcome);
 ErrorPoint run_point(const Experiment& sweep, const Method& method, const std::string& value,
                      const StopCheck& check);
 
-// The points of sweeps as pieces, and the point of a result.
-std::string key_of(const Experiment& sweep, const Method& method, const std::string& value);
-Pieces point_pieces(const std::vector<Experiment>& sweeps);
+// The same as a piece, and the point of its result.
+Piece piece_of(const Experiment& sweep, const Method& method, const std::string& value);
 ErrorPoint point_in(const Json& result, const Method& method);
 
 // The smallest value that at least 95 % of `values`, which is not empty, do not exceed.
@@ -107,6 +197,99 @@ std::vector<WorkLine> lines_beside(std::span<const WorkLine> ours, std::span<con
 // A line per other method: its smallest error, the CPU time for that, and the least of ours for that error or less.
 TextTable who_is_faster(std::span<const WorkLine> ours, std::span<const ErrorPoint> others);
 
+// A frozen problem: the system equation of one step as a solver gets it, without the scene. As a JSON file other
+// programs can solve it too:
+//
+//   {
+//     "version": 1,
+//     "name": "stack of 5, landing",
+//     "dt_s": 0.01666,
+//     "bodies": [                      one per body, static ones with zeros
+//       {
+//         "inverse_mass_per_kg": 0.83,
+//         "inverse_inertia_per_kg_m2": [9 numbers],       world frame, row by row
+//         "inverse_inertia_root": [9 numbers],            W with W W^T = the line above
+//         "free_acceleration": [6 numbers]                v1/dt + M^-1 f_ext, m/s^2 and rad/s^2
+//       }, ...
+//     ],
+//     "rows": [                        J, one per constraint row
+//       {
+//         "body_a": 0, "body_b": 1,    indices into bodies
+//         "j_a": [6 numbers], "j_b": [6 numbers],         linear part [1], angular part [m], world frame
+//         "c_min_n": 0, "c_max_n": null,                  null: no bound; forces, or with of_row factors
+//         "of_row": 3,                 only where the bounds are factors of that row's lambda
+//         "disc": "first",             then "second": c_max bounds the length of both rows' lambda
+//         "in_momenta": false,         only where lambda of the last column is zero
+//         "b_m_per_s2": [one number per column],          right side of A lambda = b, A = J M^-1 J^T
+//         "guess_n": [one number per column]              warm start
+//       }, ...
+//     ]
+//   }
+//
+// Find lambda [N], column by column: A lambda - b is zero between the bounds, >= 0 at c_min and <= 0 at c_max.
+inline constexpr int frozen_version = 1;  // of the format
+
+class FrozenProblem {
+  public:
+    // The system of the world's last step.
+    FrozenProblem(std::string name, const engine::World& world);
+
+    // Such a system. Its `diagonal` and `digests` are computed here, and its rows are `rows`.
+    FrozenProblem(std::string name, std::vector<engine::ConstraintRow> rows, engine::SystemEquation system,
+                  engine::Columns guess);
+
+    FrozenProblem(FrozenProblem&& other) noexcept = default;  // rows stay where they are
+
+    const std::string& name() const { return name_; }
+    const engine::SystemEquation& system() const { return system_; }
+    const engine::Columns& guess() const { return guess_; }  // N, rows x columns
+    engine::Columns zero() const { return engine::Columns::Zero(guess_.rows(), guess_.cols()); }
+
+    std::string text() const;
+
+  private:
+    std::string name_;
+    std::vector<engine::ConstraintRow> rows_;
+    engine::SystemEquation system_;  // its rows are rows_
+    engine::Columns guess_;
+};
+
+struct FrozenMoment {
+    std::string name;     // "stack of 5, landing"
+    std::string scene;    // of the catalogue or of assets/scenes
+    OptionTexts options;  // "seconds" is the moment
+};
+
+std::vector<FrozenMoment> hard_moments(bool quick);
+
+// Moments of contacts with Coulomb's friction and nothing else, which is what collections of contact problems have.
+struct ContactMoment {
+    std::string name;  // a file name: "wall_3_at_0.5s"
+    Choices choices;   // `settings.seconds` is the moment
+};
+
+// Stacks, heaps, walls, houses of cards and arches, ten each: five members at two moments; of each kind one with
+// `quick`.
+std::vector<ContactMoment> contact_moments(bool quick);
+
+// Runs the scene up to the moment and freezes its system.
+FrozenProblem freeze(const FrozenMoment& moment, const StopCheck& check);
+FrozenProblem freeze(const std::string& name, const Choices& choices, const StopCheck& check);
+
+inline const std::vector<std::string> frozen_columns{"problem", "method", "iterations", "residual_m_per_s",
+                                                     "work_multiply_adds"};
+
+// Results of every solver, cold and warm, over iterations, as lines of frozen.csv. `dense` is left out above 200
+// rows: it gives the same as `pgs` at cubic cost.
+Table solve_frozen(const FrozenProblem& problem, bool quick);
+
+// The same as a piece. Its result has the number of "rows" and "columns" of the system, and the "lines" of
+// solve_frozen().
+Piece piece_of(const FrozenMoment& moment, bool quick);
+
+// Lines of the plot of one problem: all but `dense`, whose work would compress the others.
+std::vector<WorkLine> lines_of(const std::vector<std::vector<std::string>>& lines);
+
 // Convergence of each scene to itself at smaller steps. In several windows, runs restart from states of one run
 // with the smallest step, so that chaos does not grow beyond a window.
 //
@@ -114,7 +297,7 @@ TextTable who_is_faster(std::span<const WorkLine> ours, std::span<const ErrorPoi
 //   order p = log2( e_c(2h) / e_c(h) )
 //
 // Symbols: h step [s], h_min the smallest [s], x position [m], e_c [m].
-Pieces consistency_pieces(bool quick);  // a scene each
+void add_consistency(bool quick, Pieces& pieces);  // a scene each
 
 // consistency.csv and its section.
 void add_consistency(StudyRun& run);

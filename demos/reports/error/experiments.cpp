@@ -22,32 +22,17 @@ Values words_of(const std::string& text) {
     return {std::istream_iterator<std::string>(stream), {}};
 }
 
-// From "solver=pgs tolerance=0".
-OptionTexts options(const std::string& text) {
-    OptionTexts all;
-    for (const std::string& word : words_of(text)) {
-        const auto sign = word.find('=');
-        all.emplace_back(word.substr(0, sign), word.substr(sign + 1));
-    }
-    return all;
-}
-
-Method method(const std::string& name, const std::string& differs, const char* knob, const char* colour,
-              int dash = solid, int mark = filled_circle, double order = 0.0, int moves = 1) {
-    return {name, options(differs), knob, colour, dash, mark, order, moves};
-}
-
 Methods operator+(Methods all, const Methods& more) {
     all.insert(all.end(), more.begin(), more.end());
     return all;
 }
 
 // Iterative solvers run all iterations (tolerance 0); exact ones are varied over the tolerance.
-const Methods exact_solvers{method("direct", "solver=direct", "tolerance", "violet", solid, diamond),
-                            method("auto", "solver=auto", "tolerance", "violet", dotted, filled_triangle)};
-const Methods cold_solvers = Methods{method("pgs", "tolerance=0 solver=pgs", "iterations", "blue"),
-                                     method("nncg", "tolerance=0 solver=nncg", "iterations", "green"),
-                                     method("jacobi", "tolerance=0 solver=jacobi", "iterations", "orange")} +
+const Methods exact_solvers{{"direct", "solver=direct", "tolerance", "violet", solid, diamond},
+                            {"auto", "solver=auto", "tolerance", "violet", dotted, filled_triangle}};
+const Methods cold_solvers = Methods{{"pgs", "tolerance=0 solver=pgs", "iterations", "blue"},
+                                     {"nncg", "tolerance=0 solver=nncg", "iterations", "green"},
+                                     {"jacobi", "tolerance=0 solver=jacobi", "iterations", "orange"}} +
                              exact_solvers;
 
 // The iterative ones with and without warm start.
@@ -56,9 +41,9 @@ Methods solvers(bool push_matters) {
     const auto add = [&methods](const std::string& name, const std::string& more, const std::string& differs,
                                 const char* colour) {
         const std::string both = "tolerance=0 " + differs;
-        methods.push_back(method(name + ", warm" + more, both, "iterations", colour));
+        methods.push_back({name + ", warm" + more, both, "iterations", colour});
         methods.push_back(
-            method(name + ", cold" + more, both + " warm-start=off", "iterations", colour, dashed, filled_square));
+            {name + ", cold" + more, both + " warm-start=off", "iterations", colour, dashed, filled_square});
     };
     add("pgs", "", "solver=pgs", "blue");
     add("nncg", "", "solver=nncg", "green");
@@ -72,9 +57,8 @@ Methods small_steps(bool quick) {
     Methods methods;
     for (const auto& [sweeps, colour] :
          {std::pair{"1", "orange"}, std::pair{"2", "green"}, std::pair{"4", "violet"}}) {
-        methods.push_back(method(fmt::format("small steps of {}", sweeps),
-                                 "tolerance=0 solver=pgs scheme=small-steps", "small-steps", colour, solid,
-                                 filled_triangle));
+        methods.push_back({fmt::format("small steps of {}", sweeps), "tolerance=0 solver=pgs scheme=small-steps",
+                           "small-steps", colour, solid, filled_triangle});
         for (const std::string& steps : words_of(quick ? "2 4 8" : "2 4 8 16 32 64"))
             methods.back().values.push_back(steps + "x" + sweeps);
     }
@@ -83,31 +67,30 @@ Methods small_steps(bool quick) {
 
 // Sweeps of whole steps and small steps.
 Methods of_the_wall(bool quick) {
-    return Methods{method("whole step, from the last forces", "tolerance=0 solver=pgs", "iterations", "blue"),
-                   method("whole step, no push", "tolerance=0 solver=pgs push=none", "iterations", "blue", dashed,
-                          filled_square)} +
-           small_steps(quick) +
-           Methods{method("auto", "solver=auto", "tolerance", "vermilion", dotted, filled_triangle)};
+    return Methods{{"whole step, from the last forces", "tolerance=0 solver=pgs", "iterations", "blue"},
+                   {"whole step, no push", "tolerance=0 solver=pgs push=none", "iterations", "blue", dashed,
+                    filled_square}} +
+           small_steps(quick) + Methods{{"auto", "solver=auto", "tolerance", "vermilion", dotted, filled_triangle}};
 }
 
 const Methods integrators{
-    method("beta 0.2, no kick", "distance-beta=0.2 start-kick=off", "dt", "vermilion", dashed, filled_square, 1),
-    method("beta 1, no kick", "start-kick=off", "dt", "vermilion", solid, filled_circle, 1),
-    method("beta 1, half kick", "", "dt", "blue", solid, filled_circle, 2),
-    method("single-frame, half kick", "distance-push=single-frame", "dt", "blue", dashed, filled_square, 1),
-    method("rattle", "scheme=rattle", "dt", "green", solid, filled_triangle, 2),
-    method("rattle4", "scheme=rattle4", "dt", "orange", solid, filled_triangle, 4),
-    method("rattle6", "scheme=rattle6", "dt", "violet", solid, filled_triangle, 6)};
+    {"beta 0.2, no kick", "distance-beta=0.2 start-kick=off", "dt", "vermilion", dashed, filled_square, 1},
+    {"beta 1, no kick", "start-kick=off", "dt", "vermilion", solid, filled_circle, 1},
+    {"beta 1, half kick", "", "dt", "blue", solid, filled_circle, 2},
+    {"single-frame, half kick", "distance-push=single-frame", "dt", "blue", dashed, filled_square, 1},
+    {"rattle", "scheme=rattle", "dt", "green", solid, filled_triangle, 2},
+    {"rattle4", "scheme=rattle4", "dt", "orange", solid, filled_triangle, 4},
+    {"rattle6", "scheme=rattle6", "dt", "violet", solid, filled_triangle, 6}};
 
 // For bodies without contacts. rattle would equal the half kick.
 const Methods free_motions{
-    method("splitting, no kick", "start-kick=off", "dt", "blue", dashed, filled_square, 1),
-    method("splitting, half kick", "", "dt", "blue", solid, filled_circle, 2),
-    method("exponential, half kick", "rotation=exponential", "dt", "green", solid, filled_circle, 1),
-    method("paper, half kick", "rotation=paper", "dt", "vermilion", dotted, filled_circle, 1),
-    method("paper, no kick", "rotation=paper start-kick=off", "dt", "vermilion", dashed, filled_square, 1),
-    method("rattle4", "scheme=rattle4 start-kick=off", "dt", "orange", solid, filled_triangle, 4, 5),
-    method("rattle6", "scheme=rattle6 start-kick=off", "dt", "violet", solid, filled_triangle, 6, 7)};
+    {"splitting, no kick", "start-kick=off", "dt", "blue", dashed, filled_square, 1},
+    {"splitting, half kick", "", "dt", "blue", solid, filled_circle, 2},
+    {"exponential, half kick", "rotation=exponential", "dt", "green", solid, filled_circle, 1},
+    {"paper, half kick", "rotation=paper", "dt", "vermilion", dotted, filled_circle, 1},
+    {"paper, no kick", "rotation=paper start-kick=off", "dt", "vermilion", dashed, filled_square, 1},
+    {"rattle4", "scheme=rattle4 start-kick=off", "dt", "orange", solid, filled_triangle, 4, 5},
+    {"rattle6", "scheme=rattle6 start-kick=off", "dt", "violet", solid, filled_triangle, 6, 7}};
 
 Values values_of(const std::string& knob, bool quick) {
     if (knob == "iterations") return words_of(quick ? "1 5 25 100" : "1 2 5 10 25 50 100 250 1000");
@@ -118,10 +101,19 @@ Values values_of(const std::string& knob, bool quick) {
 
 }  // namespace
 
+OptionTexts options(const std::string& text) {
+    OptionTexts all;
+    for (const std::string& word : words_of(text)) {
+        const auto sign = word.find('=');
+        all.emplace_back(word.substr(0, sign), word.substr(sign + 1));
+    }
+    return all;
+}
+
 std::vector<Experiment> error_experiments(bool quick) {
     Methods standing = solvers(true), parting = solvers(true);
-    standing.push_back(method("pgs, warm, 4 a substep", "solver=pgs iterations=4 tolerance=0", "substeps", "blue",
-                              dotted, filled_triangle));
+    standing.push_back({"pgs, warm, 4 a substep", "solver=pgs iterations=4 tolerance=0", "substeps", "blue", dotted,
+                        filled_triangle});
     for (Method& each : parting) each.flies = each.name.ends_with("persistent");
 
     std::vector<Experiment> all;
@@ -129,12 +121,11 @@ std::vector<Experiment> error_experiments(bool quick) {
     const auto add = [&](const char* scene, const char* title, const std::string& common, const char* full,
                          const char* short_run, MakeTrueError error, const char* error_axis, const char* caption,
                          Methods methods) -> Experiment& {
-        OptionTexts texts = options("preset=default " + common);
-        texts.emplace_back("seconds", quick ? short_run : full);
         for (Method& each : methods) {
             if (each.values.empty()) each.values = values_of(each.knob, quick);
         }
-        all.push_back({scene, scene, title, texts, std::move(error), error_axis, caption, std::move(methods)});
+        all.push_back({scene, scene, title, common, quick ? short_run : full, std::move(error), error_axis, caption,
+                       std::move(methods)});
         if (quick) all.back().timed_runs = 2;
         return all.back();
     };
@@ -211,22 +202,9 @@ std::vector<Experiment> error_experiments(bool quick) {
     return all;
 }
 
-std::string differences(const Experiment& sweep, const Method& method) {
-    std::string text;
-    for (const OptionTexts* options : {&sweep.common, &method.differs}) {
-        for (const auto& [name, value] : *options) {
-            if (name == "preset" || name == "seconds") continue;
-            text += (text.empty() ? "" : " ") + name + "=" + value;
-        }
-    }
-    return text;
-}
-
 OptionTexts options_at(const Experiment& sweep, const Method& method, const std::string& value) {
-    OptionTexts options{{method.knob, value}};
-    options.insert(options.end(), method.differs.begin(), method.differs.end());
-    options.insert(options.end(), sweep.common.begin(), sweep.common.end());
-    return options;
+    return options(fmt::format("{}={} {} preset=default {} seconds={}", method.knob, value, method.differs,
+                               sweep.common, sweep.seconds));
 }
 
 Choices run_at(const Experiment& sweep, const Method& method, const std::string& value) {

@@ -3,7 +3,6 @@
 #include "demos/base/text/numbers.h"
 #include "demos/reports/error/error.h"
 #include "demos/runs/measurements.h"
-#include "demos/runs/session.h"
 
 #include <fmt/format.h>
 
@@ -11,9 +10,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <numeric>
-#include <set>
 
 namespace pushfactor::demos::reports::error {
 
@@ -85,9 +82,10 @@ bool means_failure(const std::string& outcome) {
 ErrorPoint run_point(const Experiment& sweep, const Method& method, const std::string& value,
                      const StopCheck& check) {
     Choices choices = run_at(sweep, method, value);
+    const bool both = !sweep.common.empty() && !method.differs.empty();
     ErrorPoint point{.scene = sweep.scene,
                      .method = method.name,
-                     .differences = differences(sweep, method),
+                     .differences = sweep.common + (both ? " " : "") + method.differs,
                      .knob = method.knob,
                      .value = value};
     Simulation run(choices.on_one_thread());
@@ -104,24 +102,13 @@ ErrorPoint run_point(const Experiment& sweep, const Method& method, const std::s
     return point;
 }
 
-std::string key_of(const Experiment& sweep, const Method& method, const std::string& value) {
-    return fmt::format("error: {}, {}: {}; timed {} times{}", sweep.name, method.name,
-                       run_key(sweep.scene, options_at(sweep, method, value)), sweep.timed_runs,
-                       sweep.clock_seconds ? fmt::format(" over {} s", *sweep.clock_seconds) : "");
-}
-
-Pieces point_pieces(const std::vector<Experiment>& sweeps) {
-    Pieces pieces;
-    for (const Experiment& sweep : sweeps) {
-        for (const Method& method : sweep.methods) {
-            for (const std::string& value : method.values) {
-                pieces.push_back({key_of(sweep, method, value), [sweep, method, value](const StopCheck& check) {
-                                      return Json(exact_rows(table_of({run_point(sweep, method, value, check)})));
-                                  }});
-            }
-        }
-    }
-    return pieces;
+Piece piece_of(const Experiment& sweep, const Method& method, const std::string& value) {
+    return {fmt::format("error: {}, {}: {}; timed {} times{}", sweep.name, method.name,
+                        run_key(sweep.scene, options_at(sweep, method, value)), sweep.timed_runs,
+                        sweep.clock_seconds ? fmt::format(" over {} s", *sweep.clock_seconds) : ""),
+            [sweep, method, value](const StopCheck& check) {
+                return Json(exact_rows(table_of({run_point(sweep, method, value, check)})));
+            }};
 }
 
 ErrorPoint point_in(const Json& result, const Method& method) {

@@ -1,6 +1,5 @@
-#include "demos/reports/error/true_errors.h"
-
 #include "demos/base/text/median.h"
+#include "demos/reports/error/error.h"
 #include "demos/scenes/exact_motions/free_rotation.h"
 #include "demos/scenes/exact_motions/hanging_chain.h"
 
@@ -159,8 +158,8 @@ TrueError column_error(const Simulation&) {
         for (Eigen::Index j = 0; j < exact.rows(); ++j) {
             const engine::ConstraintRow& row = world.rows()[static_cast<std::size_t>(j)];
             if (row.label.kind != engine::RowKind::contact) continue;
-            exact.row(j).setConstant(weight_above(std::min(row.body_a, row.body_b), count,
-                                                  world.bodies.back().mass(), now.scene().gravity.norm()));
+            const int above = count - std::min(row.body_a, row.body_b);  // balls
+            exact.row(j).setConstant(above * world.bodies.back().mass() * now.scene().gravity.norm());
         }
         numbers[0].add(force_error(world.system(), world.lambda(), exact).value_or(0.0));
     };
@@ -274,10 +273,6 @@ double PartingCube::height(long steps) const {
 double PartingCube::upward_speed(long steps) const {
     if (push.kind != engine::PushKind::persistent) return 0.0;
     return push.beta * (rest - start) / dt - gravity * dt * static_cast<double>(steps - 1);
-}
-
-double weight_above(int lower, int count, double mass, double gravity) {
-    return (count - lower) * mass * gravity;
 }
 
 }  // namespace pushfactor::demos::reports::error

@@ -1,6 +1,5 @@
 // Every solver on every frozen problem of the report, against the direct one.
-#include "demos/reports/error/frozen.h"
-#include "demos/reports/error/true_errors.h"
+#include "demos/reports/error/error.h"
 #include "demos/scenes/families/family.h"
 #include "engine/solvers/solver.h"
 #include "tests/catch.h"

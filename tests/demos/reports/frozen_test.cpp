@@ -1,7 +1,6 @@
 // Frozen problems: a written problem reads back unchanged.
-#include "demos/reports/error/frozen.h"
-
 #include "demos/base/text/errors.h"
+#include "demos/reports/error/error.h"
 #include "engine/solvers/solver.h"
 #include "tests/catch.h"
 #include "tests/demos/program.h"

@@ -1,7 +1,6 @@
 // Which solver to choose, as the README says: orderings of errors by work, which is counted in multiply-adds and
 // the same on every machine. The measured numbers are in comments; no test depends on times.
 #include "demos/reports/error/error.h"
-#include "demos/reports/error/frozen.h"
 #include "engine/solvers/solver.h"
 #include "tests/catch.h"
 

@@ -1,6 +1,6 @@
 // Contact problems in FCLib's terms: our rows say the same, errors have their closed forms, the page shows all
 // solvers.
-#include "demos/reports/error/frozen.h"
+#include "demos/reports/error/error.h"
 #include "engine/solvers/solver.h"
 #include "tests/catch.h"
 #include "tests/demos/pages/check_page.h"

@@ -4,7 +4,7 @@
 
 #if PUSHFACTOR_FCLIB
 
-#include "demos/reports/error/frozen.h"
+#include "demos/reports/error/error.h"
 #include "tests/demos/pages/check_page.h"
 #include "tests/demos/program.h"
 #include "tests/peers/problems/fclib_file.h"

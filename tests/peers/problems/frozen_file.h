@@ -1,7 +1,7 @@
-// Frozen problems as `pushfactor report error --export` writes them (demos/reports/error/frozen.h).
+// Frozen problems as `pushfactor report error --export` writes them (demos/reports/error/error.h).
 #pragma once
 
-#include "demos/reports/error/frozen.h"
+#include "demos/reports/error/error.h"
 
 #include <filesystem>
 

@@ -1,7 +1,7 @@
 // Global problems as rows over rigid bodies, as our solvers take them, and back.
 #pragma once
 
-#include "demos/reports/error/frozen.h"
+#include "demos/reports/error/error.h"
 #include "tests/peers/problems/contact_problem.h"
 
 #include <optional>
