@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 namespace pushfactor::demos::reports::cost {
 
@@ -37,12 +38,7 @@ double distance(const Choices& alone, const Choices& together) {
     return largest;
 }
 
-using Pairs = std::vector<std::pair<int, int>>;
-
-double count_different(Pairs pairs) {
-    std::sort(pairs.begin(), pairs.end());
-    return static_cast<double>(std::unique(pairs.begin(), pairs.end()) - pairs.begin());
-}
+using Pairs = std::set<std::pair<int, int>>;
 
 void add_pairs(const BuiltScene& scene, double margin, Counts& sum) {
     if (!scene.contacts) return;
@@ -53,8 +49,8 @@ void add_pairs(const BuiltScene& scene, double margin, Counts& sum) {
     sum.pairs += static_cast<double>(
         broad_phase.find_pairs(scene.contacts->colliders(), scene.world.bodies, poses, margin).size());
     Pairs touching;
-    for (const engine::ContactSite& site : scene.contacts->sites()) touching.emplace_back(site.body_a, site.body_b);
-    sum.touches += count_different(touching);
+    for (const engine::ContactSite& site : scene.contacts->sites()) touching.emplace(site.body_a, site.body_b);
+    sum.touches += static_cast<double>(touching.size());
 }
 
 // Pairs per movable body, static partners included, up to which an island counts as a thread: 1 for a hanging or
@@ -64,8 +60,9 @@ constexpr double pairs_of_a_thread = 1.5;
 IslandKind kind_of(const engine::Island& island) {
     if (island.movable() == 1) return IslandKind::single;
     Pairs pairs;
-    for (const engine::RowRun& run : island.runs) pairs.emplace_back(std::minmax(run.a, run.b));
-    return count_different(pairs) <= pairs_of_a_thread * island.movable() ? IslandKind::thread : IslandKind::heap;
+    for (const engine::RowRun& run : island.runs) pairs.emplace(std::minmax(run.a, run.b));
+    const bool thread = static_cast<double>(pairs.size()) <= pairs_of_a_thread * island.movable();
+    return thread ? IslandKind::thread : IslandKind::heap;
 }
 
 void add_islands(const engine::World& world, Counts& sum) {
@@ -198,12 +195,6 @@ double clock_cost() {
         before = now;
     }
     return median(costs);
-}
-
-void PhaseClock::end(std::size_t stage) {
-    const double now = thread_cpu_us();
-    times_[stage] += now - last_ - cost_;
-    last_ = now;
 }
 
 Walk::Walk(const Choices& moment)
