@@ -5,10 +5,6 @@
 
 #include <fmt/format.h>
 
-#include <array>
-#include <cmath>
-#include <utility>
-
 namespace pushfactor::demos::reports {
 
 namespace {
@@ -19,24 +15,20 @@ using engine::Vector3;
 constexpr double g = 9.81;    // m/s^2
 constexpr double dt = 0.001;  // s
 
-// Two bodies, the second of which is looked at.
-struct Motion {
-    Motion(FrictionModel model, SceneDescription scene, double friction) {
-        Settings settings = preset_settings("default");
-        settings.friction_model = model;
-        settings.friction = friction;
-        settings.threads = 1;
-        for (BodyDescription& body : scene.bodies) body.friction = friction;
-        built = build_scene(scene, settings);
-    }
-    void run(double seconds) {
-        for (long step = std::lround(seconds / dt); step > 0; --step) built.step(built.world, dt);
-    }
-    const engine::Body& body() const { return built.world.bodies.at(1); }
-    Vector3 velocity() const { return body().inverse_mass * body().linear_momentum; }
+BuiltScene built(FrictionModel model, SceneDescription scene, double friction) {
+    Settings settings = preset_settings("default");
+    settings.friction_model = model;
+    settings.friction = friction;
+    settings.threads = 1;
+    for (BodyDescription& body : scene.bodies) body.friction = friction;
+    return build_scene(scene, settings);
+}
 
-    BuiltScene built;
-};
+// After `seconds`; of the two bodies the second is looked at.
+engine::World moved(double seconds, BuiltScene scene) {
+    for (long step = std::lround(seconds / dt); step > 0; --step) scene.step(scene.world, dt);
+    return std::move(scene.world);
+}
 
 // One body of 1 kg on a level plane.
 SceneDescription on_plane(BodyDescription body) {
@@ -54,16 +46,14 @@ SceneDescription tall_box(double speed) {
 
 // Share of the weight on the rear edge while it slides.
 double rear_share(FrictionModel model, double friction) {
-    Motion motion(model, tall_box(3.0), friction);
-    motion.run(0.1);
+    const engine::World world = moved(0.1, built(model, tall_box(3.0), friction));
     double rear = 0.0, all = 0.0;
-    const auto rows = motion.built.world.rows();
+    const auto rows = world.rows();
     for (std::size_t i = 0; i < rows.size(); ++i) {
         if (rows[i].label.kind != engine::RowKind::contact) continue;
         // The angular part of the axis is r x n; its z component is the offset along x of an upward normal.
         const auto& part = rows[i].body_a == 1 ? rows[i].jacobian.a : rows[i].jacobian.b;
-        const double force =
-            motion.built.world.lambda()(static_cast<Eigen::Index>(i), motion.built.world.lambda().cols() - 1);
+        const double force = world.lambda()(static_cast<Eigen::Index>(i), world.lambda().cols() - 1);
         all += force;
         if (part[5] * part[1] < 0.0) rear += force;
     }
@@ -71,21 +61,16 @@ double rear_share(FrictionModel model, double friction) {
 }
 
 double way_to_stop(FrictionModel model) {
-    Motion motion(model, tall_box(3.0), 0.4);
-    motion.run(1.5);
-    return motion.body().position.x();
+    return moved(1.5, built(model, tall_box(3.0), 0.4)).bodies.at(1).position.x();
 }
 
 double rolling_speed(FrictionModel model) {
     constexpr double radius = 0.1;
-    Motion motion(model,
-                  on_plane({.shape = SphereShape{radius},
-                            .position = Vector3(0, radius, 0),
-                            .velocity = Vector3(2, 0, 0),
-                            .angular_velocity = Vector3(0, 0, 30)}),
-                  0.3);
-    motion.run(2.0);
-    return motion.velocity().x();
+    const SceneDescription scene = on_plane({.shape = SphereShape{radius},
+                                             .position = Vector3(0, radius, 0),
+                                             .velocity = Vector3(2, 0, 0),
+                                             .angular_velocity = Vector3(0, 0, 30)});
+    return velocity(moved(2.0, built(model, scene, 0.3)).bodies.at(1)).x();
 }
 
 // Diagonally, where the square is widest.
@@ -94,9 +79,7 @@ double sliding_down(FrictionModel model) {
     const Vector3 along = g * std::sin(angle) * Vector3(std::sqrt(0.5), 0, std::sqrt(0.5));
     SceneDescription scene = on_plane({.shape = BoxShape{Vector3(1, 0.2, 1)}, .position = Vector3(0, 0.1, 0)});
     scene.gravity = along - g * std::cos(angle) * Vector3::UnitY();
-    Motion motion(model, scene, 0.3);
-    motion.run(1.0);
-    return motion.velocity().norm();
+    return velocity(moved(1.0, built(model, scene, 0.3)).bodies.at(1)).norm();
 }
 
 // Whether a flat box 1 m from the axis leaves its place on a turntable.
@@ -112,9 +95,8 @@ bool leaves(FrictionModel model, double friction, double rate) {
                                .position = Vector3(1, 0.005, 0),
                                .velocity = Vector3(0, 0, -rate),
                                .angular_velocity = Vector3(0, rate, 0)};
-    Motion motion(model, one_on_another("turntable", table, body), friction);
-    motion.run(4.0);
-    return std::hypot(motion.body().position.x(), motion.body().position.z()) > 1.01;
+    const auto world = moved(4.0, built(model, one_on_another("turntable", table, body), friction));
+    return std::hypot(world.bodies.at(1).position.x(), world.bodies.at(1).position.z()) > 1.01;
 }
 
 double rate_that_slides(FrictionModel model) {
@@ -136,14 +118,14 @@ double rocking_ratio(FrictionModel model) {
     const Vector3 corner(half_width, 0, 0), centre(0, half_height, 0);
     BodyDescription body{.shape = BoxShape{Vector3(2 * half_width, 2 * half_height, 0.5)}, .orientation = turned};
     body.position = corner + turned * (centre - corner);
-    Motion motion(model, on_plane(std::move(body)), 2.0);
+    BuiltScene scene = built(model, on_plane(std::move(body)), 2.0);
     // In short steps, because gravity acts on both sides of the impact, which takes two steps: the last in which
     // the gap closes, and the next.
     constexpr double short_dt = 1e-4;
     std::vector<double> rates;
     for (int step = 0; step < 4000; ++step) {
-        motion.built.step(motion.built.world, short_dt);
-        rates.push_back(engine::angular_velocity(motion.body()).z());
+        scene.step(scene.world, short_dt);
+        rates.push_back(angular_velocity(scene.world.bodies.at(1)).z());
     }
     std::size_t at = 2;
     for (std::size_t i = 2; i + 2 < rates.size(); ++i) {

@@ -9,8 +9,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 namespace pushfactor::demos::reports::reality {
 
@@ -85,9 +83,9 @@ double variance(double share, int throws) {
 
 }  // namespace
 
-int square_faces(double length, const Law& law, int first, int throws, const StopCheck& check) {
+int square_faces(double length, const Law& law, int throws, const StopCheck& check) {
     int found = 0;
-    for (int number = first; number < first + throws; ++number) {
+    for (int number = 0; number < throws; ++number) {
         check();
         found += ends_on_square(length, law, number) ? 1 : 0;
     }
@@ -111,7 +109,7 @@ void add_dice(StudyRun& run) {
                               [=](const StopCheck& check) {
                                   std::vector<double> shares;
                                   for (const Die& die : dice)
-                                      shares.push_back(square_faces(die.length, law, 0, throws, check) /
+                                      shares.push_back(square_faces(die.length, law, throws, check) /
                                                        static_cast<double>(throws));
                                   return json_numbers(shares);
                               }});
@@ -120,8 +118,7 @@ void add_dice(StudyRun& run) {
     run.gather(pieces);
 
     std::vector<std::vector<double>> shares;
-    double least = std::numeric_limits<double>::infinity();
-    std::size_t best = 0;
+    std::vector<double> sums;
     Table fits{{"friction", "restitution", "chi2_of_15"}};
     for (std::size_t i = 0; i < laws.size(); ++i) {
         shares.push_back(numbers_in(run.result(pieces[i].key)));
@@ -131,11 +128,9 @@ void add_dice(StudyRun& run) {
             sum += off * off / (variance(dice[d].share, dice[d].throws) + variance(shares[i][d], throws));
         }
         fits.rows.push_back({laws[i].friction, laws[i].restitution, sum});
-        if (sum < least) {
-            least = sum;
-            best = i;
-        }
+        sums.push_back(sum);
     }
+    const auto best = static_cast<std::size_t>(std::ranges::min_element(sums) - sums.begin());
     Table table{{"length_over_edge", "measured", "measured_error", "computed", "computed_error", "off", "lowest",
                  "highest"}};
     std::vector<double> far;
@@ -157,7 +152,7 @@ void add_dice(StudyRun& run) {
         "fit best of {} pairs (chi squared {:.0f} for 15 dice); lowest and highest are over all pairs. Errors are "
         "one standard deviation. Off by more than 0.05: {}. A share that falls with length cannot meet all: those "
         "measured at 1.16 and 1.23 are in the other order.",
-        throws, laws[best].friction, laws[best].restitution, laws.size(), least,
+        throws, laws[best].friction, laws[best].restitution, laws.size(), sums[best],
         far.empty() ? "none" : fmt::format("{} of 15 (length over edge {})", far.size(), fmt::join(far, ", ")));
     add_plot({.script = "dice", .data = "dice.dat", .name = "dice_shares"}, csv_text(table), run.folder(), content);
     run.sections.push_back({"dice", "Dice of fifteen lengths", content});

@@ -10,7 +10,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 
 namespace pushfactor::demos::reports::reality {
@@ -158,15 +157,8 @@ class Filling {
         Simulation simulation(build_scene(scene_, settings_), settings_);
         play_steps(simulation, std::lround(seconds / settings_.dt.value()), check);
         deepest_ = simulation.sample().penetration.max;
-        for (std::size_t i = 0; i < scene_.bodies.size(); ++i) {
-            const engine::Body& now = simulation.scene().world.bodies[i];
-            BodyDescription& body = scene_.bodies[i];
-            body.position = now.position;
-            body.orientation = now.orientation;
-            if (!body.mass) continue;
-            body.linear_momentum = now.linear_momentum;
-            body.angular_momentum = now.angular_momentum;
-        }
+        for (std::size_t i = 0; i < scene_.bodies.size(); ++i)
+            take_state(simulation.scene().world.bodies[i], scene_.bodies[i]);
     }
 
     BodyDescription kind_;

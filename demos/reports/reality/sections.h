@@ -4,10 +4,6 @@
 #include "demos/reports/reality/tosses.h"
 #include "demos/reports/study.h"
 
-#include <optional>
-#include <string>
-#include <vector>
-
 namespace pushfactor::demos::reports::reality {
 
 void add_closed_forms(StudyRun& run);  // closed_forms.csv
@@ -39,10 +35,10 @@ struct ClosedForm {
 };
 const std::vector<ClosedForm>& closed_forms();
 
-// Cuboid dice with a square cross-section, `length` edges long: how many of `throws` computed ones, the first of
-// which has this number, end with a square face on top. A die of 12 mm falls from 0.2 m, at up to 1 m/s sideways,
-// in any orientation and turning about any axis at up to 60 rad/s.
-int square_faces(double length, const Law& law, int first, int throws, const StopCheck& check);
+// Cuboid dice with a square cross-section, `length` edges long: how many of `throws` computed ones end with a
+// square face on top. A die of 12 mm falls from 0.2 m, at up to 1 m/s sideways, in any orientation and turning
+// about any axis at up to 60 rad/s.
+int square_faces(double length, const Law& law, int throws, const StopCheck& check);
 
 // Packings of spheres and regular solids: those of assets/measured/packings.csv, shares of the volume, +-0.01:
 // regular solids by Baker and Kudrolli (2010, arXiv 1008.1728); none where nothing was measured.

@@ -21,8 +21,7 @@ constexpr double near_board =
 // The angle of the rotation as a vector.
 Vector3 rotation_between(const Quaternion& from, const Quaternion& to) {
     const Eigen::AngleAxisd turn((to * from.conjugate()).normalized());
-    const double angle = turn.angle() > std::numbers::pi ? turn.angle() - 2.0 * std::numbers::pi : turn.angle();
-    return angle * turn.axis();
+    return turn.angle() * turn.axis();
 }
 
 // Height [m] of the lowest corner above the board.
@@ -68,19 +67,16 @@ std::vector<ErrorsAt> errors_at(const Tosses& tosses, const Judged& judged, cons
     return all;
 }
 
-// Errors after 0.1 s from measured poses, with and without contact: so far chaos has no say.
-struct Windows {
-    ErrorsAt flight, contact;
-};
-Windows windows_of(const Engine& engine, const Tosses& tosses, const Law& law) {
+// Errors after 0.1 s from measured poses, in flight and with contacts: so far chaos has no say.
+std::pair<ErrorsAt, ErrorsAt> windows_of(const Engine& engine, const Tosses& tosses, const Law& law) {
     constexpr std::size_t length = frames_per_second / 10;
-    Windows found;
+    std::pair<ErrorsAt, ErrorsAt> found;
     for (const Toss& toss : tosses) {
         const std::vector<std::size_t> contacts = bounces(toss, law.board);
         const std::size_t first = contacts.empty() ? toss.frames.size() : contacts.front();
         for (std::size_t from = 2; from + length < toss.frames.size(); from += length) {
             add_error(toss.frames[from + length], engine(restart(toss, from), law, length + 1).back(),
-                      from + length < first ? found.flight : found.contact);
+                      from + length < first ? found.first : found.second);
         }
     }
     return found;
@@ -280,11 +276,11 @@ std::vector<Result> results_of(const Engine& engine, const LawFit& fit, const To
     const double share = static_cast<double>(std::ranges::count(judged.right, true)) / count;
     const auto [low, high] = confidence(share, static_cast<int>(tosses.size()));
     results.push_back({"the measured face ends on top, % of tosses", 100.0 * share, 50.0 * (high - low) / 1.96});
-    const Windows windows = windows_of(engine, tosses, law);
-    add("restarted in flight: position after 0.1 s, % of an edge", windows.flight.position, 100.0);
-    add("restarted in flight: orientation, degrees", windows.flight.angle, 1.0);
-    add("restarted with contacts: position after 0.1 s, % of an edge", windows.contact.position, 100.0);
-    add("restarted with contacts: orientation, degrees", windows.contact.angle, 1.0);
+    const auto [flight, contact] = windows_of(engine, tosses, law);
+    add("restarted in flight: position after 0.1 s, % of an edge", flight.position, 100.0);
+    add("restarted in flight: orientation, degrees", flight.angle, 1.0);
+    add("restarted with contacts: position after 0.1 s, % of an edge", contact.position, 100.0);
+    add("restarted with contacts: orientation, degrees", contact.angle, 1.0);
     return results;
 }
 

@@ -94,7 +94,7 @@ TEST_CASE("one law of contact follows the tosses to 13.5 % of an edge, and anoth
 
 TEST_CASE("a cube shows each pair of faces as often, a plate and a rod hardly ever their sides") {
     const Law law{0.3, 0.5};
-    const auto share = [&](double length) { return square_faces(length, law, 0, 1000, [] {}) / 1000.0; };
+    const auto share = [&](double length) { return square_faces(length, law, 1000, [] {}) / 1000.0; };
     const double deviation = std::sqrt(1.0 / 3.0 * 2.0 / 3.0 / 1000.0);
     CHECK(std::abs(share(1.0) - 1.0 / 3.0) < 3.0 * deviation);
     CHECK(share(0.1) > 0.98);
