@@ -154,16 +154,6 @@ void require_accepted(const GridRequest& request, OptionTexts options, const std
     run_of(request.scene, options);
 }
 
-bool accepts(const GridRequest& request, const OptionTexts& set, const std::string& name,
-             const std::string& value) {
-    try {
-        require_accepted(request, set, name, value);
-        return true;
-    } catch (const UsageError&) {
-        return false;
-    }
-}
-
 AtlasAxis axis_of(const GridRequest& request, const OptionTexts& set, const Typed& typed) {
     const auto [name, value] = name_and_value(typed, forms);
     require_free(run_of(request.scene, set), set, typed, name);
@@ -172,9 +162,11 @@ AtlasAxis axis_of(const GridRequest& request, const OptionTexts& set, const Type
     if (words.size() == 4 && words[0] == "log") {
         axis.logarithmic = true;
         axis.values = equal_factors(typed, words, false);
-        // Of counts and the like, which must be whole.
-        if (axis.values.size() > 2 && !accepts(request, set, name, axis.values[1]))
+        try {
+            if (axis.values.size() > 2) require_accepted(request, set, name, axis.values[1]);
+        } catch (const UsageError&) {  // as a count, which must be whole
             axis.values = equal_factors(typed, words, true);
+        }
     } else if (words.size() == 3) {
         axis.values = equal_steps(typed, words);
     } else if (words.size() == 1) {

@@ -1,10 +1,16 @@
 #include "demos/reports/reality/tosses.h"
 
+#include "demos/base/platform/output_file.h"
+#include "demos/base/text/errors.h"
 #include "demos/base/text/median.h"
 #include "demos/scenes/random.h"
 
+#include <libdeflate.h>
+
 #include <algorithm>
+#include <charconv>
 #include <limits>
+#include <memory>
 #include <numbers>
 #include <numeric>
 
@@ -15,8 +21,36 @@ namespace {
 using engine::Quaternion;
 using engine::Vector3;
 
-constexpr double near_board =
-    0.003;  // m, of a corner that touches: twice the spread of the measured height at rest
+std::string decompressed(const std::filesystem::path& file, const std::string& bytes) {
+    // The size before compression is in the last four bytes, the lowest first (RFC 1952).
+    std::size_t size = 0;
+    for (std::size_t i = 0; i < 4 && bytes.size() > 4; ++i) {
+        size |= std::size_t{static_cast<unsigned char>(bytes[bytes.size() - 4 + i])} << (8 * i);
+    }
+    constexpr std::size_t most = 100'000'000;
+    std::string text(std::min(size, most), '\0');
+    const std::unique_ptr<libdeflate_decompressor, void (*)(libdeflate_decompressor*)> gzip(
+        libdeflate_alloc_decompressor(), libdeflate_free_decompressor);
+    if (libdeflate_gzip_decompress(gzip.get(), bytes.data(), bytes.size(), text.data(), text.size(), nullptr) !=
+        LIBDEFLATE_SUCCESS) {
+        throw RunError("{}: is damaged", file.string());
+    }
+    return text;
+}
+
+// z is up in the files.
+const Quaternion y_up(std::sqrt(0.5), -std::sqrt(0.5), 0.0, 0.0);
+
+Vector3 vector_at(const std::vector<double>& line, std::size_t at) {
+    return y_up * Vector3(line[at], line[at + 1], line[at + 2]);
+}
+
+Pose pose_at(const std::vector<double>& line, std::size_t at) {
+    const Quaternion turned(line[at + 3], line[at + 4], line[at + 5], line[at + 6]);
+    return {vector_at(line, at), (y_up * turned).normalized()};
+}
+
+constexpr double near_board = 0.003;  // m, of a corner that touches: twice the spread of the height at rest
 
 // The angle of the rotation as a vector.
 Vector3 rotation_between(const Quaternion& from, const Quaternion& to) {
@@ -29,26 +63,7 @@ double clearance(const Pose& pose, double board) {
     return pose.position.y() - board - 0.5 * edge * pose.orientation.toRotationMatrix().row(1).cwiseAbs().sum();
 }
 
-std::vector<double> values(double from, double step, int count) {
-    std::vector<double> all;
-    for (int i = 0; i < count; ++i) all.push_back(from + step * i);
-    return all;
-}
-
-// Where the cubes of these tosses lie at the end, m: the height of the board is measured there best.
-Mean board_of(const Tosses& tosses) {
-    std::vector<double> heights;
-    for (const Toss& toss : tosses) heights.push_back(toss.frames.back().position.y() - 0.5 * edge);
-    return mean_of(heights);
-}
-
 constexpr std::size_t fewest = 10;  // tosses, of a mean
-
-void add_error(const Pose& measured, const Pose& computed, ErrorsAt& errors) {
-    const PoseError error = between(measured, computed);
-    errors.position.push_back(error.position);
-    errors.angle.push_back(error.angle);
-}
 
 // The errors at the frames of each toss that `frames_of` gives for it and its contacts, frame by frame, while there
 // are enough tosses.
@@ -60,7 +75,7 @@ std::vector<ErrorsAt> errors_at(const Tosses& tosses, const Judged& judged, cons
         const std::vector<std::size_t> frames = frames_of(tosses[t], bounces(tosses[t], law.board));
         all.resize(std::max(all.size(), frames.size()));
         for (std::size_t k = 0; k < frames.size(); ++k)
-            add_error(tosses[t].frames[frames[k]], judged.poses[t][frames[k]], all[k]);
+            all[k].add(between(tosses[t].frames[frames[k]], judged.poses[t][frames[k]]));
     }
     const auto too_few = [](const ErrorsAt& errors) { return errors.position.size() < fewest; };
     all.erase(std::ranges::find_if(all, too_few), all.end());
@@ -75,14 +90,53 @@ std::pair<ErrorsAt, ErrorsAt> windows_of(const Engine& engine, const Tosses& tos
         const std::vector<std::size_t> contacts = bounces(toss, law.board);
         const std::size_t first = contacts.empty() ? toss.frames.size() : contacts.front();
         for (std::size_t from = 2; from + length < toss.frames.size(); from += length) {
-            add_error(toss.frames[from + length], engine(restart(toss, from), law, length + 1).back(),
-                      from + length < first ? found.first : found.second);
+            const Pose computed = engine(restart(toss, from), law, length + 1).back();
+            (from + length < first ? found.first : found.second).add(between(toss.frames[from + length], computed));
         }
     }
     return found;
 }
 
 }  // namespace
+
+std::vector<std::vector<double>> numbers_of(const std::filesystem::path& file, const std::string& columns) {
+    const auto bytes = read_bytes_of(file);
+    if (!bytes) throw RunError("{}: cannot be read", file.string());
+    std::string text = *bytes;
+    if (file.extension() == ".gz") text = decompressed(file, text);
+    if (!text.starts_with(columns + "\n")) throw RunError("{}: must begin with {}", file.string(), columns);
+    std::vector<std::vector<double>> lines;
+    const auto cells = static_cast<std::size_t>(std::ranges::count(columns, ',')) + 1;
+    const char* at = text.data() + columns.size() + 1;
+    const char* const end = text.data() + text.size();
+    while (at < end) {
+        std::vector<double>& line = lines.emplace_back(cells);
+        for (double& number : line) {
+            const auto [next, error] = std::from_chars(at, end, number);
+            const char after = &number == &line.back() ? '\n' : ',';
+            if (error != std::errc() || next == end || *next != after) {
+                throw RunError("{}: line {}: must be {} numbers", file.string(), lines.size() + 1, cells);
+            }
+            at = next + 1;
+        }
+    }
+    return lines;
+}
+
+std::vector<Toss> read_tosses(const std::filesystem::path& folder) {
+    std::vector<Toss> tosses;
+    for (const auto& line : numbers_of(folder / "cube-tosses.csv.gz", "toss,frame,x_m,y_m,z_m,qw,qx,qy,qz")) {
+        tosses.resize(static_cast<std::size_t>(line[0]) + 1);
+        tosses.back().frames.push_back(pose_at(line, 2));
+    }
+    for (const auto& line : numbers_of(folder / "cube-toss-starts.csv",
+                                       "toss,frames,x_m,y_m,z_m,qw,qx,qy,qz,vx_m_per_s,vy_m_per_s,vz_m_per_s,"
+                                       "wx_rad_per_s,wy_rad_per_s,wz_rad_per_s")) {
+        Toss& toss = tosses.at(static_cast<std::size_t>(line[0]));
+        toss.start = {toss.frames.front(), vector_at(line, 9), vector_at(line, 12)};
+    }
+    return tosses;
+}
 
 PoseError between(const Pose& measured, const Pose& computed) {
     return {(measured.position - computed.position).norm() / edge,
@@ -140,8 +194,16 @@ Tosses half_of(const Tosses& all, std::size_t first, bool quick) {
 }
 
 LawGrid law_grid(const Tosses& tosses, bool quick) {
-    if (quick) return {values(0.14, 0.02, 5), values(0.0, 0.1, 4), board_of(tosses)};
-    return {values(0.12, 0.01, 13), values(0.0, 0.05, 9), board_of(tosses)};
+    // Where the cubes lie at the end: the height of the board is measured there best.
+    std::vector<double> heights;
+    for (const Toss& toss : tosses) heights.push_back(toss.frames.back().position.y() - 0.5 * edge);
+    const auto values = [](double from, double step, int count) {
+        std::vector<double> all;
+        for (int i = 0; i < count; ++i) all.push_back(from + step * i);
+        return all;
+    };
+    if (quick) return {values(0.14, 0.02, 5), values(0.0, 0.1, 4), mean_of(heights)};
+    return {values(0.12, 0.01, 13), values(0.0, 0.05, 9), mean_of(heights)};
 }
 
 std::vector<double> errors_with(const Engine& engine, const Tosses& tosses, const LawGrid& grid, double friction,

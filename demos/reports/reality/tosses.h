@@ -142,6 +142,11 @@ Judged judge(const Engine& engine, const Tosses& tosses, const Law& law);
 struct ErrorsAt {
     double at = 0.0;  // s since the first contact, or which bounce it is after, from 1
     std::vector<double> position{}, angle{};
+
+    void add(const PoseError& error) {
+        position.push_back(error.position);
+        angle.push_back(error.angle);
+    }
 };
 // By frame since the first contact, up to 0.6 s, and just before each next contact, or at the end: while there are
 // ten tosses.
