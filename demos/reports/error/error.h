@@ -197,36 +197,9 @@ std::vector<WorkLine> lines_beside(std::span<const WorkLine> ours, std::span<con
 // A line per other method: its smallest error, the CPU time for that, and the least of ours for that error or less.
 TextTable who_is_faster(std::span<const WorkLine> ours, std::span<const ErrorPoint> others);
 
-// A frozen problem: the system equation of one step as a solver gets it, without the scene. As a JSON file other
-// programs can solve it too:
-//
-//   {
-//     "version": 1,
-//     "name": "stack of 5, landing",
-//     "dt_s": 0.01666,
-//     "bodies": [                      one per body, static ones with zeros
-//       {
-//         "inverse_mass_per_kg": 0.83,
-//         "inverse_inertia_per_kg_m2": [9 numbers],       world frame, row by row
-//         "inverse_inertia_root": [9 numbers],            W with W W^T = the line above
-//         "free_acceleration": [6 numbers]                v1/dt + M^-1 f_ext, m/s^2 and rad/s^2
-//       }, ...
-//     ],
-//     "rows": [                        J, one per constraint row
-//       {
-//         "body_a": 0, "body_b": 1,    indices into bodies
-//         "j_a": [6 numbers], "j_b": [6 numbers],         linear part [1], angular part [m], world frame
-//         "c_min_n": 0, "c_max_n": null,                  null: no bound; forces, or with of_row factors
-//         "of_row": 3,                 only where the bounds are factors of that row's lambda
-//         "disc": "first",             then "second": c_max bounds the length of both rows' lambda
-//         "in_momenta": false,         only where lambda of the last column is zero
-//         "b_m_per_s2": [one number per column],          right side of A lambda = b, A = J M^-1 J^T
-//         "guess_n": [one number per column]              warm start
-//       }, ...
-//     ]
-//   }
-//
-// Find lambda [N], column by column: A lambda - b is zero between the bounds, >= 0 at c_min and <= 0 at c_max.
+// A frozen problem: the system equation of one step as a solver gets it, without the scene; as a JSON file other
+// programs can solve it too (demos/FORMATS.md). Such problems at hard moments of scenes show the convergence of
+// each solver without the effect of its errors on the run.
 inline constexpr int frozen_version = 1;  // of the format
 
 class FrozenProblem {

@@ -1,4 +1,4 @@
-// Frozen problems as `pushfactor report error --export` writes them (demos/reports/error/error.h).
+// Frozen problems as `pushfactor report error --export` writes them (demos/FORMATS.md).
 #pragma once
 
 #include "demos/reports/error/error.h"
