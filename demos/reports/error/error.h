@@ -1,6 +1,6 @@
 // The report on errors: true errors of runs, the methods that it compares, scene by scene, the points of their
-// sweeps, and the convergence of scenes to themselves. A new solver or integrator only needs a line in
-// experiments.cpp.
+// sweeps, systems of single moments, and the convergence of scenes to themselves. A new solver or integrator only
+// needs a line in experiments.cpp.
 #pragma once
 
 #include "demos/reports/error/work_plot.h"
@@ -11,6 +11,7 @@ namespace pushfactor::demos::reports::error {
 
 // True errors of runs: against closed forms, exact motion or converged forces, never against another program or a
 // finer run.
+
 struct NamedError {
     std::string name;  // with its unit, "sideways_m"; without one it is relative
     double value = 0.0;
