@@ -16,7 +16,7 @@ double asked_speed(const UnitProblem& problem) {
 namespace {
 
 // Limit on active set steps: near the solution a few are enough, and more of them rarely succeed.
-constexpr int most_changes = 20;
+constexpr int most_changes = 10;
 // Limit on those to proximal points.
 constexpr int most_proximal_changes = 1000;
 // Limit on interior point steps.
@@ -109,11 +109,13 @@ bool ExactAnswer::settle(double tolerance, double will_do, Effort& effort, Solve
     double reached = active_set_.solve(order, problem_, tolerance, most_changes, y_, effort, count);
     if (reached <= enough()) return true;
     const double near = std::max(tolerance, near_share * asked_speed(problem_));
-    interior_.solve(order, problem_, near, most_steps, y_, effort, count);
-    reached = active_set_.solve(order, problem_, tolerance, most_changes, y_, effort, count);
-    if (reached > std::max(enough(), will_do)) {
+    for (const double aim : {near, tolerance}) {
+        interior_.solve(order, problem_, aim, most_steps, y_, effort, count);
+        reached = active_set_.solve(order, problem_, tolerance, most_changes, y_, effort, count);
+        if (reached <= std::max(enough(), will_do)) break;
         reached = active_set_.solve_by_proximal_points(order, problem_, std::max(tolerance, will_do),
                                                        most_proximal_changes, y_, effort, count);
+        if (reached <= std::max(enough(), will_do)) break;
     }
     if (reached <= enough()) return true;
     if (reached <= will_do) return false;

@@ -59,6 +59,17 @@ TEST_CASE(
     });
 }
 
+TEST_CASE("twenty thin plates that fall onto each other, each turned by 7 degrees, come to rest") {
+    for (const char* preset : {"default", "exact"}) {
+        INFO(preset);
+        Simulation simulation = load("turned-plates.json", tests::awake_settings(preset));
+        tests::advance(simulation, 5.0);
+        double fastest = 0.0;
+        for (const Body& body : simulation.scene().world.bodies) fastest = std::max(fastest, velocity(body).norm());
+        CHECK(fastest < 1e-7);
+    }
+}
+
 TEST_CASE("a cube that slides at 0.3 m/s along the diagonal of its edges loses mu g t, with 1 to 64 substeps") {
     for (const char* preset : {"default", "exact"}) {
         for (const int substeps : {1, 4, 16, 64}) {
