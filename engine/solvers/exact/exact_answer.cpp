@@ -15,7 +15,7 @@ double asked_speed(const UnitProblem& problem) {
 
 namespace {
 
-// Limit on active set steps: near the solution a few are enough, and more of them rarely succeed.
+// Limit on active set steps: near the solution a few are enough, and more of them seldom help.
 constexpr int most_changes = 10;
 // Limit on those to proximal points.
 constexpr int most_proximal_changes = 1000;
@@ -23,7 +23,7 @@ constexpr int most_proximal_changes = 1000;
 constexpr int most_steps = 60;
 // Residual at which the interior point method hands over, as a share of asked_speed(). It stays slightly inside the
 // bounds and converges slowly to rounding, but at this point it has identified the clamped rows, and the active set
-// method finishes; if not, it continues to the tolerance.
+// method finishes, or proximal points do; if not, it starts again and goes on to the tolerance.
 constexpr double near_share = 1e-8;
 // Rows contradict if the sum of their axes weighted with their residuals is at most this share of the residuals.
 constexpr double cancelled = 1e-6;

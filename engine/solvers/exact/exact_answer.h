@@ -1,5 +1,5 @@
-// Exact solution of a column in unit rows: active set method, and interior point method if that fails. Internal to
-// the solvers.
+// Exact solution of a column in unit rows: active set method; if that fails interior point method, and then
+// proximal points, twice. Internal to the solvers.
 #pragma once
 
 #include "engine/solvers/exact/active_set.h"
