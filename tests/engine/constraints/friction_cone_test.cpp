@@ -41,6 +41,23 @@ Body& add_cube(ContactScene& scene, const Vector3& velocity, double turn = 0.0) 
 
 }  // namespace
 
+TEST_CASE("a pair without friction has no rows of friction, and goes on beside one that has some") {
+    ContactScene scene;
+    add_cube(scene, {1, 0, 0});
+    scene.add_ball(0.5, {0, 0.5, 5}, {1, 0, 0}, {.friction = 0.0});
+    scene.build();
+    scene.world.step(dt);
+    int of_cube = 0, of_ball = 0;
+    for (const ConstraintRow& row : scene.world.rows()) {
+        if (row.label.kind == RowKind::friction) ++(row.body_a == 2 || row.body_b == 2 ? of_ball : of_cube);
+    }
+    CHECK(of_cube == 8);
+    CHECK(of_ball == 0);
+    run(scene, 0.1);
+    CHECK(velocity(scene.world.bodies[1]).x() < 0.7);
+    CHECK(velocity(scene.world.bodies[2]).x() == 1.0);
+}
+
 TEST_CASE("a cube slides v^2 / (2 mu g) far in every direction, straight on and without turning, at any step") {
     Random random(18);
     for (const int substeps : {1, 4, 16}) {
