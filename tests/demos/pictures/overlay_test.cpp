@@ -82,6 +82,15 @@ TEST_CASE("the line of thrust of a leaning tower is where the weight above is") 
     CHECK(line[0].second.y() == Approx(2.4).margin(1e-2));
 }
 
+TEST_CASE("the line of thrust goes through bodies that sleep, which have no rows") {
+    const Simulation run = after(run_of("stack", {}), 600);
+    REQUIRE(run.scene().world.rows().empty());
+    renderer::Picture picture;
+    add_overlay(run.scene(), OverlayKind::thrust, 1.0, picture);
+    CHECK(picture.dots.size() == 5);
+    CHECK(picture.arrows.size() == 4);
+}
+
 TEST_CASE("a contact force turns with the body on which it acts: the upper of two, the movable one of a pair") {
     // Cubes whose contacts are made in either order of bodies give the same picture.
     const Simulation run = after(run_of("funnel", {{"rest", "off"}}), 1200);
