@@ -153,7 +153,7 @@ void ContactConstraints::write_friction(Contact& contact, const PairPoint& at, c
 }
 
 // Appends the contacts of the touches in the given order, whose rows begin with `row`: per contact one normal row,
-// then two friction rows; or all friction rows after all normal rows.
+// then its two friction rows if it has any; or all friction rows after all normal rows.
 std::span<ContactConstraints::Contact> ContactConstraints::add_contacts(std::span<const collision::Touch> touches,
                                                                         std::span<const ContactIndex> order,
                                                                         int row) {

@@ -109,16 +109,16 @@ bool ExactAnswer::settle(double tolerance, double will_do, Effort& effort, Solve
     double reached = active_set_.solve(order, problem_, tolerance, most_changes, y_, effort, count);
     if (reached <= enough()) return true;
     const double near = std::max(tolerance, near_share * asked_speed(problem_));
+    const auto good = [&] { return reached <= std::max(enough(), will_do); };
     for (const double aim : {near, tolerance}) {
         interior_.solve(order, problem_, aim, most_steps, y_, effort, count);
         reached = active_set_.solve(order, problem_, tolerance, most_changes, y_, effort, count);
-        if (reached <= std::max(enough(), will_do)) break;
-        reached = active_set_.solve_by_proximal_points(order, problem_, std::max(tolerance, will_do),
-                                                       most_proximal_changes, y_, effort, count);
-        if (reached <= std::max(enough(), will_do)) break;
+        if (!good()) {
+            reached = active_set_.solve_by_proximal_points(order, problem_, std::max(tolerance, will_do),
+                                                           most_proximal_changes, y_, effort, count);
+        }
+        if (good()) return reached <= enough();
     }
-    if (reached <= enough()) return true;
-    if (reached <= will_do) return false;
     if (contradicts()) {
         count.contradicts = true;
         solve_without_contradiction(tolerance, effort, count);

@@ -36,7 +36,7 @@ class ExactAnswer {
                                         rows.bounds_follow());
     }
 
-    // Improves the forces until the natural residual is at most `tolerance` [m/s], or rounding, which it returns;
+    // Improves the forces until the natural residual is at most `tolerance` [m/s], or rounding, and says so;
     // what a few changes of the active set do not solve, until it is at most `will_do` [m/s], it stops falling or
     // the effort is used up; then count.contradicts may tell why. Never makes them worse.
     bool solve(UnitRows& rows, double tolerance, double will_do, Effort& effort, SolveCount& count);
