@@ -223,6 +223,7 @@ double World::stored_energy() const {
 
 void World::resume(double time) {
     time_ = time;
+    awake_ = {};
     follow_paths();
 }
 

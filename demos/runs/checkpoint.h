@@ -14,6 +14,9 @@ struct Checkpoint {
 // Overwrites `into`, reusing its memory. `parts`: StepDivision::level().
 void take_checkpoint(const BuiltScene& scene, double parts, Checkpoint& into);
 
+// Takes the scene back to a checkpoint of its own.
+void go_back(BuiltScene& scene, const Checkpoint& checkpoint);
+
 // Takes over the pose of the body, and its momenta unless it is static.
 void take_state(const engine::Body& body, BodyDescription& into);
 

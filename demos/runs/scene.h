@@ -22,11 +22,11 @@ struct BuiltScene {
     std::string name;
     engine::World world;
     engine::StepMethod step = [](engine::World& w, double dt) { return w.step(dt); };  // the paper's
-    engine::Vector3 gravity = engine::Vector3(0, -10, 0);    // m/s^2, what the world's force source applies
-    const engine::ContactConstraints* contacts = nullptr;    // part of the world; null when bodies never touch
-    const engine::DistanceConstraints* distances = nullptr;  // part of the world; null without distances
-    const engine::JointConstraints* joints = nullptr;        // part of the world; null without joints
-    std::vector<const engine::PokeForce*> pokes;             // part of the world: forces on single bodies
+    engine::Vector3 gravity = engine::Vector3(0, -10, 0);  // m/s^2, what the world's force source applies
+    engine::ContactConstraints* contacts = nullptr;        // part of the world; null when bodies never touch
+    engine::DistanceConstraints* distances = nullptr;      // part of the world; null without distances
+    engine::JointConstraints* joints = nullptr;            // part of the world; null without joints
+    std::vector<const engine::PokeForce*> pokes;           // part of the world: forces on single bodies
     std::vector<engine::collision::Pair> no_contacts;  // bodies that do not touch, beside those of groups (a < b)
 
     std::optional<double> parts_before{};  // of a resumed run

@@ -66,10 +66,10 @@ Simulation::Simulation(BuiltScene scene, const Settings& settings, Clock clock)
       settings_(settings),
       division_(division_of(scene_, settings)),
       clock_(clock),
-      energy_(scene_.gravity) {
+      progress_{.energy = engine::EnergyAccount(scene_.gravity)} {
     if (scene_.contacts) detector_.broad_phase().leave_out(scene_.contacts->filter());
     start();
-    energy_.open(scene_.world.bodies, settings_.dt.value(), scene_.world.stored_energy());
+    progress_.energy.open(scene_.world.bodies, settings_.dt.value(), scene_.world.stored_energy());
     measure_state();
 }
 
@@ -78,7 +78,7 @@ Simulation::Simulation(const Choices& choices, Clock clock)
 
 void Simulation::start() {
     const double dt = settings_.dt.value();
-    if (scene_.parts_before && !is_rattle(settings_.scheme)) lag_ = dt / division_.parts();
+    if (scene_.parts_before && !is_rattle(settings_.scheme)) progress_.lag = dt / division_.parts();
     // The rules need the forces of a first solve.
     if (division_.has_rules() && !scene_.parts_before) scene_.world.prepare(dt);
     if (!wants_kick(scene_, settings_)) return;
@@ -110,31 +110,45 @@ void Simulation::show(long step, std::span<const BodyPose> poses) {
 }
 
 void Simulation::divide_step() {
-    const double dt = settings_.dt.value();
-    int parts = division_.divide(scene_.world, dt);
-    sample_.substeps = 0;
-    for (int done = 0; done < parts; ++done) {
-        if (done > 0) {
-            const int finer = division_.refine(scene_.world, dt, parts);
-            done *= finer;
-            parts *= finer;
+    division_.divide(scene_.world, settings_.dt.value());
+    if (division_.has_rules()) {
+        const Sample sample = sample_;
+        const Progress progress = progress_;
+        while (!take_parts(division_.parts())) {
+            go_back(scene_, before_);
+            const std::optional<double> spent = sample_.cpu_us;
+            sample_ = sample;
+            sample_.cpu_us = spent;
+            progress_ = progress;
         }
-        step_engine(dt / parts);
-        if (const auto found = engine::find_non_finite(scene_.world.bodies)) fail(found->body, found->quantity);
+    } else {
+        take_parts(division_.parts());
     }
     sample_.substep_rule = division_.rule();
     sample_.too_few_substeps = division_.is_short();
 }
 
+// Returns false, and stops, where the step needs more parts.
+bool Simulation::take_parts(int parts) {
+    const double dt = settings_.dt.value();
+    sample_.substeps = 0;
+    for (int done = 0; done < parts; ++done) {
+        step_engine(dt / parts);
+        if (const auto found = engine::find_non_finite(scene_.world.bodies)) fail(found->body, found->quantity);
+        if (!division_.suffices(scene_.world, dt)) return false;
+    }
+    return true;
+}
+
 void Simulation::step_engine(double dt) {
-    if (lag_ > 0.0 && dt != lag_) scene_.world.change_step(lag_, dt);
-    if (!is_rattle(settings_.scheme)) lag_ = dt;
-    energy_.begin(scene_.world.bodies);
+    if (progress_.lag > 0.0 && dt != progress_.lag) scene_.world.change_step(progress_.lag, dt);
+    if (!is_rattle(settings_.scheme)) progress_.lag = dt;
+    progress_.energy.begin(scene_.world.bodies);
     const double before = clock_ ? clock_() : 0.0;
     const engine::StepCount so_far = sample_.count;
     sample_.count = scene_.step(scene_.world, dt);
     if (clock_) *sample_.cpu_us += clock_() - before;
-    energy_.end(scene_.world, dt);
+    progress_.energy.end(scene_.world, dt);
     sample_.count.sweeps += so_far.sweeps;
     sample_.count.row_updates += so_far.row_updates;
     sample_.count.impacts += so_far.impacts;
@@ -154,12 +168,12 @@ void Simulation::step_engine(double dt) {
 
 // Call while sample_.count is that of the engine step that has just ended.
 void Simulation::find_worst() {
-    if (sample_.count.unsolved_residual > largest_unsolved_) {
-        largest_unsolved_ = sample_.count.unsolved_residual;
+    if (sample_.count.unsolved_residual > progress_.largest_unsolved) {
+        progress_.largest_unsolved = sample_.count.unsolved_residual;
         sample_.worst_unsolved = worst_unsolved(scene_.world);
     }
-    if (sample_.count.islands_contradicting > 0 && !contradicted_) {
-        contradicted_ = true;
+    if (sample_.count.islands_contradicting > 0 && !progress_.contradicted) {
+        progress_.contradicted = true;
         sample_.contradicting = worst_contradicting(scene_.world);
     }
 }
@@ -168,7 +182,7 @@ void Simulation::measure_state() {
     const std::span<const engine::Body> bodies = scene_.world.bodies;
     sample_.kinetic_energy = engine::kinetic_energy(bodies);
     sample_.potential_energy = engine::potential_energy(bodies, scene_.gravity);
-    sample_.energy_gain = energy_.gain();
+    sample_.energy_gain = progress_.energy.gain();
     sample_.max_speed = engine::max_speed(bodies);
     if (!scene_.contacts) return;
     engine::Threads* const threads = scene_.world.threads_worth_calling();

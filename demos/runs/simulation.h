@@ -73,8 +73,17 @@ class Simulation {
     const Sample& sample() const { return sample_; }  // of the last step, or of the start
 
   private:
+    // What engine steps change besides the scene and the sample.
+    struct Progress {
+        engine::EnergyAccount energy;
+        double lag = 0.0;  // s, length of the last step: half of it ago the momenta are. 0 before the first one
+        double largest_unsolved = 0.0;  // m/s, residual of any step that was not solved
+        bool contradicted = false;      // whether rows of any step did so
+    };
+
     void start();
     void divide_step();
+    bool take_parts(int parts);
     void step_engine(double dt);
     void find_worst();
     void measure_state();
@@ -84,14 +93,11 @@ class Simulation {
     BuiltScene scene_;
     Settings settings_;
     StepDivision division_;
-    double lag_ = 0.0;  // s, length of the last step: half of it ago the momenta are. 0 before the first one
     Clock clock_;
     engine::collision::Detector detector_;  // for penetrations
     Sample sample_;
-    engine::EnergyAccount energy_;
+    Progress progress_;
     Checkpoint before_;
-    double largest_unsolved_ = 0.0;  // m/s, residual of any engine step that was not solved
-    bool contradicted_ = false;      // whether rows of any engine step did so
 };
 
 }  // namespace pushfactor::demos

@@ -9,9 +9,8 @@ namespace pushfactor::demos {
 
 namespace {
 
-// Factor by which a rule may be exceeded before the rest of a step is divided again: all rules have a safety
-// margin, and a step of unequal parts is less accurate than one of equal parts.
-constexpr double refine_beyond = 1.6;
+// Factor by which a rule may be exceeded before a step is taken again: all rules have a safety margin.
+constexpr double most_excess = 1.6;
 
 constexpr double most_fall = 15.0 / 16.0;
 
@@ -64,18 +63,19 @@ int StepDivision::divide(const engine::World& world, double dt) {
     return parts;
 }
 
-int StepDivision::refine(const engine::World& world, double dt, int parts) {
+bool StepDivision::suffices(const engine::World& world, double dt) {
+    bool enough = true;
     for (const StepRule& asked : rules_) {
-        if (asked.by_forces || !(asked.rate(world) * dt > refine_beyond * parts)) continue;
-        if (2 * parts > most_parts) {
-            short_ = true;
-            break;
-        }
+        if (asked.by_forces) continue;
+        const double wanted = dt * asked.rate(world);
+        if (!(wanted > most_excess * parts())) continue;
+        short_ = wanted > most_parts;
+        if (parts() == most_parts) continue;
         rule_ = asked.name;
-        level_ = 2.0 * parts;
-        return 2;
+        level_ = std::min(wanted, double{most_parts});
+        enough = false;
     }
-    return 1;
+    return enough;
 }
 
 }  // namespace pushfactor::demos

@@ -14,7 +14,7 @@ struct StepRule {
     std::string_view name;
     std::function<double(const engine::World&)> rate;  // 1/s; a step of dt follows the state while rate dt <= 1
 
-    // Whether the rate depends on forces. Such a rule may not divide the rest of a step: its forces include the
+    // Whether the rate depends on forces. For such a rule no step is taken again: its forces include the
     // correction of the last part, which is larger for shorter parts, so that dividing would require dividing
     // again. The force of an impact grows as 1 / dt and the rate with its root, which ends; only where contacts and
     // joints contradict each other does it grow with the number of parts (LIMITS).
@@ -43,9 +43,9 @@ class StepDivision {
     // For the next step of dt [s].
     int divide(const engine::World& world, double dt);
 
-    // Further division of each remaining part, when the step of dt has `parts`: 2 if the state now needs much
-    // shorter ones, 1 otherwise.
-    int refine(const engine::World& world, double dt, int parts);
+    // After a part of the step of dt. Returns false if this state needs much shorter parts: parts() of them, in
+    // which the step has to be taken again.
+    bool suffices(const engine::World& world, double dt);
 
     bool has_rules() const { return !rules_.empty(); }
     double level() const { return level_; }          // parts of the last step at its finest, before rounding up

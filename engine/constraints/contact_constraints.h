@@ -85,6 +85,8 @@ class ContactConstraints : public ConstraintSource {
     const ContactCache* cache() const { return cache_.get(); }  // without the contacts of resting bodies
     // Overwrites `into` with the forces of all contacts, resting bodies included; empty without a cache.
     void all_forces(ContactCache& into) const;
+    // Takes them back, for a state of then. Without a cache there are none to take.
+    void set_forces(const ContactCache& all);
 
     // In the order of the rows; empty before the first step.
     std::vector<ContactSite> sites() const;

@@ -132,6 +132,12 @@ std::vector<RestingContact> ContactConstraints::sites_at_rest(std::span<const Bo
     return found;
 }
 
+void ContactConstraints::set_forces(const ContactCache& all) {
+    if (cache_) *cache_ = all;
+    at_rest_ = {};
+    awake_bodies_ = {};
+}
+
 void ContactConstraints::all_forces(ContactCache& into) const {
     into.clear();
     if (!cache_) return;

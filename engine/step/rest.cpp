@@ -217,6 +217,8 @@ void Rest::set_memory(std::span<const Memory> memory, std::span<const Body> bodi
         if (memory_[at(body)].group >= 0) join_group(body, memory_[at(body)].group);
     }
     list_turning(bodies);
+    changed_.resize(bodies.size());
+    std::iota(changed_.begin(), changed_.end(), 0);
 }
 
 }  // namespace pushfactor::engine

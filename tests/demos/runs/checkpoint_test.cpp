@@ -38,6 +38,10 @@ std::string hash_after(const Folder& folder, const std::string& scene) {
     return parse_json(folder.read("s.json")).at("state_hash");
 }
 
+void step(BuiltScene& scene, const Settings& settings, int steps) {
+    for (int i = 0; i < steps; ++i) scene.step(scene.world, settings.dt.value());
+}
+
 struct Case {
     std::string scene;
     OptionTexts options;
@@ -99,6 +103,26 @@ std::string between(const std::string& text, const std::string& before, const st
 }
 
 }  // namespace
+
+TEST_CASE("a scene that is taken back to a checkpoint moves as it did before") {
+    auto all = cases;
+    all.push_back({"stack", {}, 160});          // comes to rest
+    all.push_back({"pendulum-grid", {}, 300});  // the same
+    for (const Case& tried : all) {
+        INFO(tried.scene << " after step " << tried.steps);
+        const Choices choices = run_of(tried.scene, tried.options);
+        BuiltScene scene = build_scene(choices);
+        step(scene, choices.settings, tried.steps);
+        Checkpoint before;
+        take_checkpoint(scene, 1.0, before);
+        step(scene, choices.settings, 40);
+        const std::uint64_t once = engine::state_hash(scene.world.bodies);
+        go_back(scene, before);
+        CHECK(scene.world.time() == before.state.time);
+        step(scene, choices.settings, 40);
+        CHECK(engine::state_hash(scene.world.bodies) == once);
+    }
+}
 
 TEST_CASE("a saved run goes on to the bits of the run that was not interrupted, caches and substeps included") {
     for (const Case& one : cases) {

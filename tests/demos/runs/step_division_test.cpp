@@ -43,7 +43,7 @@ TEST_CASE("a fixed number of parts stays, and no rule is asked") {
     const engine::World world;
     StepDivision four(4);
     CHECK(four.divide(world, dt) == 4);
-    CHECK(four.refine(world, dt, 4) == 1);
+    CHECK(four.suffices(world, dt));
     CHECK(four.rule().empty());
 }
 
@@ -78,18 +78,18 @@ TEST_CASE("the parts rise at once, and fall by at most a sixteenth from step to 
     CHECK(asking(wanted, 64.0).divide(world, dt) == 60);
 }
 
-TEST_CASE("the rest of a step is halved when it asks for much more, by rules that do not look at forces") {
+TEST_CASE("parts do not suffice where their result asks for much more, by rules that do not look at forces") {
     const engine::World world;
     double wanted = 4.0;
     StepDivision division = asking(wanted);
     REQUIRE(division.divide(world, dt) == 4);
     wanted = 6.3;
-    CHECK(division.refine(world, dt, 4) == 1);
+    CHECK(division.suffices(world, dt));
     wanted = 12.5;
-    CHECK(division.refine(world, dt, 4) == 2);
-    CHECK(division.level() == 8.0);
-    CHECK(division.refine(world, dt, 8) == 1);
-    CHECK(asking(wanted, 4.0, true).refine(world, dt, 4) == 1);
+    CHECK(!division.suffices(world, dt));
+    CHECK(division.parts() == 13);
+    CHECK(division.suffices(world, dt));
+    CHECK(asking(wanted, 4.0, true).suffices(world, dt));
 }
 
 TEST_CASE("there is an end to the parts, and it is said when more were asked for") {
@@ -98,7 +98,11 @@ TEST_CASE("there is an end to the parts, and it is said when more were asked for
         StepDivision division = asking(wanted);
         CHECK(division.divide(world, dt) == StepDivision::most_parts);
         CHECK(division.is_short());
-        CHECK(division.refine(world, dt, StepDivision::most_parts) == 1);
+        CHECK(division.suffices(world, dt));
+        StepDivision late = asking(wanted, 4.0);
+        CHECK(!late.suffices(world, dt));
+        CHECK(late.parts() == StepDivision::most_parts);
+        CHECK(late.is_short());
     }
     const double not_a_number = std::numeric_limits<double>::quiet_NaN();
     CHECK(asking(not_a_number).divide(world, dt) == 1);
@@ -110,15 +114,37 @@ TEST_CASE("a scene has the rules of its own parts and no others") {
     CHECK(rules_of("pendulum-grid") == std::set<std::string_view>{"tension", "turning"});
 }
 
-TEST_CASE("the parts of a step add up to the step, also where it is divided anew") {
-    auto chain = tests::simulate("chain", divided(), {{"end-mass", "1000"}, {"angle", "150"}});
-    bool uneven = false;
-    for (int i = 0; i < 200; ++i) {
-        const Sample& sample = chain.advance();
-        CHECK(chain.scene().world.time() == Approx(sample.time).epsilon(1e-12));
-        uneven = uneven || sample.substeps != std::ceil(chain.checkpoint().state.parts);
+// A ball of 30 kg comes at 150 m/s and hits a pendulum of 2 m, which turns at 112 rad/s then.
+TEST_CASE("a step in which an impact makes a bar turn fast is taken again in more parts") {
+    SceneDescription scene;
+    scene.name = "bullet";
+    scene.contacts = true;
+    scene.bodies.push_back(
+        {.name = "ball", .shape = SphereShape{0.2}, .mass = 10.0, .position = {0, -2, 0}, .restitution = 1.0});
+    scene.bodies.push_back(
+        {.name = "bullet", .shape = SphereShape{0.1}, .mass = 30.0, .position = {-10, -2, 0}, .restitution = 1.0});
+    scene.bodies.back().velocity = {150, 0, 0};
+    DistanceDescription bar{.a = {.body = "world"}, .b = {.body = "ball"}};
+    scene.distances = {bar};
+    Simulation simulation(build_scene(scene, divided()), divided());
+    double longest = 0.0, fastest = 0.0;
+    bool is_hit = false;
+    for (int i = 0; i < 20; ++i) {
+        const int before = simulation.sample().substeps;
+        const Sample& sample = simulation.advance();
+        CHECK(simulation.scene().world.time() == Approx(sample.time).epsilon(1e-12));
+        CHECK(sample.substeps == std::ceil(simulation.checkpoint().state.parts));
+        const engine::Body& ball = simulation.scene().world.bodies[0];
+        longest = std::max(longest, std::abs(ball.position.norm() - 2.0));
+        fastest = std::max(fastest, sample.max_speed);
+        if (sample.substeps < 10 * before) continue;
+        is_hit = true;
+        CHECK(sample.count.impacts == 1);
+        CHECK(sample.kinetic_energy + sample.potential_energy == Approx(0.5 * 30 * 150 * 150).epsilon(0.01));
     }
-    CHECK(uneven);
+    CHECK(is_hit);
+    CHECK(fastest == Approx(2.0 * 30 / 40 * 150).epsilon(0.01));
+    CHECK(longest < 0.002);  // m; 0.049 without another attempt
 }
 
 // Where a tonne and more hangs at two bars, tension grows from nothing within two steps.
