@@ -136,16 +136,18 @@ void PartSweeps::put_in_four(const Start& start, const Group& group, int movable
     }
 }
 
-// Whole runs of rows: bounds may follow rows of the same run.
+// Whole runs of rows: bounds may follow rows of the same run. A block may have rows of several runs.
 void PartSweeps::load_blocks(const Start& start, solvers::UnitRows& rows) const {
     const RowRun* loaded = nullptr;
     auto run = start.runs.begin();
     for (const Block& block : blocks_) {
         while (block.begin >= run->first + run->end - run->begin) ++run;
-        if (&*run == loaded) continue;
-        loaded = &*run;
-        rows.load_run(start.system, start.island, *run);
-        rows.take_run(start.system, *run, start.lambda, start.column, start.h);
+        for (auto own = run; own != start.runs.end() && own->first < block.begin + block.count; ++own) {
+            if (&*own == loaded) continue;
+            loaded = &*own;
+            rows.load_run(start.system, start.island, *own);
+            rows.take_run(start.system, *own, start.lambda, start.column, start.h);
+        }
     }
 }
 
