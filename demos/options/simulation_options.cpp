@@ -131,15 +131,16 @@ const std::array simulation_table{
     SimulationOption{"dt", "S", "time step in s, exact: 1/60 is a fraction [1/60]",
                      "a time from 1e-6 to 1 s, as a fraction like 1/60 or a decimal", set_dt,
                      [](const Settings& s) { return to_text(s.dt); }},
-    SimulationOption{
-        "substeps", "N|auto",
-        "engine steps per step; auto: as many as bars and joints need that are under tension or turn fast",
-        "a whole number from 1 to 10000, or auto",
-        [](Settings& s, std::string_view t) {
-            if (t == "auto") s.substeps.reset();
-            return t == "auto" || take(s.substeps, parse_integer(t, 1, 10000));
-        },
-        [](const Settings& s) { return s.substeps ? std::to_string(*s.substeps) : "auto"; }},
+    SimulationOption{"substeps", "N|auto",
+                     "engine steps per step; auto: as many as bars and joints need that are under tension or turn "
+                     "fast, and as keep "
+                     "bodies from ending deep in each other",
+                     "a whole number from 1 to 10000, or auto",
+                     [](Settings& s, std::string_view t) {
+                         if (t == "auto") s.substeps.reset();
+                         return t == "auto" || take(s.substeps, parse_integer(t, 1, 10000));
+                     },
+                     [](const Settings& s) { return s.substeps ? std::to_string(*s.substeps) : "auto"; }},
     SimulationOption{"solver", "NAME", "solver of the system equation: " + solver_names(),
                      "one of " + solver_names(), set_solver, [](const Settings& s) { return s.solver; }},
     SimulationOption{

@@ -71,6 +71,7 @@ Simulation::Simulation(BuiltScene scene, const Settings& settings, Clock clock)
     start();
     progress_.energy.open(scene_.world.bodies, settings_.dt.value(), scene_.world.stored_energy());
     measure_state();
+    measure_penetration();
 }
 
 Simulation::Simulation(const Choices& choices, Clock clock)
@@ -88,12 +89,13 @@ void Simulation::start() {
 
 const Sample& Simulation::advance() {
     const long step = sample_.step + 1;
+    const engine::Penetration start = std::move(sample_.penetration);
     sample_ = {};
     sample_.step = step;
     sample_.time = (settings_.dt * Rational{step, 1}).value();
     if (clock_) sample_.cpu_us = 0.0;
     take_checkpoint(scene_, division_.level(), before_);
-    divide_step();
+    divide_step(start);
     measure_state();
     require_finite_sample();
     return sample_;
@@ -109,35 +111,36 @@ void Simulation::show(long step, std::span<const BodyPose> poses) {
     }
 }
 
-void Simulation::divide_step() {
+// Takes the step, and takes it again while its result shows that it needs more parts.
+void Simulation::divide_step(const engine::Penetration& start) {
     division_.divide(scene_.world, settings_.dt.value());
-    if (division_.has_rules()) {
-        const Sample sample = sample_;
-        const Progress progress = progress_;
-        while (!take_parts(division_.parts())) {
-            go_back(scene_, before_);
-            const std::optional<double> spent = sample_.cpu_us;
-            sample_ = sample;
-            sample_.cpu_us = spent;
-            progress_ = progress;
-        }
-    } else {
-        take_parts(division_.parts());
+    const Sample sample = sample_;
+    const Progress progress = progress_;
+    while (!take_parts(start)) {
+        go_back(scene_, before_);
+        const std::optional<double> spent = sample_.cpu_us;
+        sample_ = sample;
+        sample_.cpu_us = spent;
+        progress_ = progress;
     }
     sample_.substep_rule = division_.rule();
     sample_.too_few_substeps = division_.is_short();
 }
 
-// Returns false, and stops, where the step needs more parts.
-bool Simulation::take_parts(int parts) {
+// Returns false, perhaps before the end, if these parts do not suffice.
+bool Simulation::take_parts(const engine::Penetration& start) {
     const double dt = settings_.dt.value();
+    const int parts = division_.parts();
     sample_.substeps = 0;
     for (int done = 0; done < parts; ++done) {
         step_engine(dt / parts);
         if (const auto found = engine::find_non_finite(scene_.world.bodies)) fail(found->body, found->quantity);
         if (!division_.suffices(scene_.world, dt)) return false;
     }
-    return true;
+    const double before = clock_ ? clock_() : 0.0;
+    measure_penetration();
+    if (clock_ && !division_.is_fixed()) *sample_.cpu_us += clock_() - before;  // it decides how the step is taken
+    return division_.suffices_for(engine::deepening(start, sample_.penetration));
 }
 
 void Simulation::step_engine(double dt) {
@@ -184,10 +187,14 @@ void Simulation::measure_state() {
     sample_.potential_energy = engine::potential_energy(bodies, scene_.gravity);
     sample_.energy_gain = progress_.energy.gain();
     sample_.max_speed = engine::max_speed(bodies);
+}
+
+void Simulation::measure_penetration() {
     if (!scene_.contacts) return;
     engine::Threads* const threads = scene_.world.threads_worth_calling();
     const auto measure = [&] {
-        sample_.penetration = engine::penetration(bodies, scene_.contacts->colliders(), detector_, threads);
+        sample_.penetration =
+            engine::penetration(scene_.world.bodies, scene_.contacts->colliders(), detector_, threads);
     };
     if (threads) {
         threads->keep_at_hand(measure);

@@ -82,11 +82,12 @@ class Simulation {
     };
 
     void start();
-    void divide_step();
-    bool take_parts(int parts);
+    void divide_step(const engine::Penetration& start);
+    bool take_parts(const engine::Penetration& start);
     void step_engine(double dt);
     void find_worst();
     void measure_state();
+    void measure_penetration();
     void require_finite_sample() const;
     [[noreturn]] void fail(std::size_t body, std::string_view quantity) const;
 

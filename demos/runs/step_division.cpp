@@ -12,6 +12,12 @@ namespace {
 // Factor by which a rule may be exceeded before a step is taken again: all rules have a safety margin.
 constexpr double most_excess = 1.6;
 
+// Bodies that an impact turns far within a step end deep in what they meet: contacts are those of one place. A step
+// is taken again in twice as many parts where a pair gets deeper by this share of its size, while there are fewer
+// than `most_for_depth`: what is pressed together by more than it can bear gets deeper in any number.
+constexpr double most_deepening = 0.02;
+constexpr int most_for_depth = 8;
+
 constexpr double most_fall = 15.0 / 16.0;
 
 // Rounded up, but rounding errors do not add a part.
@@ -45,7 +51,7 @@ int StepDivision::parts() const {
 
 int StepDivision::divide(const engine::World& world, double dt) {
     short_ = false;
-    if (rules_.empty()) return this->parts();
+    if (is_fixed_) return this->parts();
     double wanted = 1.0;
     std::string_view rule;
     for (const StepRule& asked : rules_) {
@@ -76,6 +82,13 @@ bool StepDivision::suffices(const engine::World& world, double dt) {
         enough = false;
     }
     return enough;
+}
+
+bool StepDivision::suffices_for(double deepening) {
+    if (is_fixed_ || !(deepening > most_deepening) || parts() >= most_for_depth) return true;
+    rule_ = "depth";
+    level_ = std::min(2 * parts(), most_for_depth);
+    return false;
 }
 
 }  // namespace pushfactor::demos

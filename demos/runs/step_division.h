@@ -1,5 +1,5 @@
 // Division of a step of the run into engine steps: a fixed number, or as many as the state needs
-// (engine/measures/step_length.h).
+// (engine/measures/step_length.h) and the result shows. A step whose result needs much more is taken again.
 #pragma once
 
 #include "demos/runs/scene.h"
@@ -30,7 +30,7 @@ class StepDivision {
     static constexpr int most_parts = 1000;
 
     // Always `parts`, 1 or more.
-    explicit StepDivision(int parts) : level_(parts) {}
+    explicit StepDivision(int parts) : is_fixed_(true), level_(parts) {}
 
     // As many parts as the rules require, at least 1. From step to step the number falls by no more than a
     // sixteenth: every change of step length leaves an error of second order.
@@ -46,13 +46,17 @@ class StepDivision {
     // After a part of the step of dt. Returns false if this state needs much shorter parts: parts() of them, in
     // which the step has to be taken again.
     bool suffices(const engine::World& world, double dt);
+    // The same after all parts, if some pair of bodies has got deeper by this share of its size.
+    bool suffices_for(double deepening);
 
+    bool is_fixed() const { return is_fixed_; }
     bool has_rules() const { return !rules_.empty(); }
     double level() const { return level_; }          // parts of the last step at its finest, before rounding up
     std::string_view rule() const { return rule_; }  // that required them; empty if none did
     bool is_short() const { return short_; }         // whether it required more than most_parts
 
   private:
+    bool is_fixed_ = false;
     std::vector<StepRule> rules_;
     double level_ = 0.0;
     std::string_view rule_;

@@ -2,6 +2,7 @@
 #include "demos/runs/step_division.h"
 
 #include "tests/catch.h"
+#include "tests/random.h"
 #include "tests/scene_fixture.h"
 #include "tests/settings.h"
 
@@ -92,6 +93,22 @@ TEST_CASE("parts do not suffice where their result asks for much more, by rules 
     CHECK(asking(wanted, 4.0, true).suffices(world, dt));
 }
 
+TEST_CASE("parts are doubled where a pair gets deeper by more than a fiftieth of its size, up to eight") {
+    const engine::World world;
+    const double nothing = 0.0;
+    StepDivision division = asking(nothing);
+    CHECK(division.divide(world, dt) == 1);
+    CHECK(division.suffices_for(0.019));
+    for (const int parts : {2, 4, 8}) {
+        CHECK(!division.suffices_for(0.021));
+        CHECK(division.parts() == parts);
+        CHECK(division.rule() == "depth");
+    }
+    CHECK(division.suffices_for(1.0));
+    CHECK(division.divide(world, dt) == 8);  // 7.5
+    CHECK(StepDivision(1).suffices_for(1.0));
+}
+
 TEST_CASE("there is an end to the parts, and it is said when more were asked for") {
     const engine::World world;
     for (const double wanted : {1e4, 1e300, std::numeric_limits<double>::infinity()}) {
@@ -145,6 +162,37 @@ TEST_CASE("a step in which an impact makes a bar turn fast is taken again in mor
     CHECK(is_hit);
     CHECK(fastest == Approx(2.0 * 30 / 40 * 150).epsilon(0.01));
     CHECK(longest < 0.002);  // m; 0.049 without another attempt
+}
+
+// An impact turns a spinning plate by up to a radian until the end of the step, where its contacts are others.
+TEST_CASE("plates that spin as they land are in the ground by a twentieth of their thickness at most") {
+    const auto deepest_with = [](const Settings& settings) {  // of 2 cm
+        double deepest = 0.0;
+        for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+            tests::Random random(seed);
+            SceneDescription scene;
+            scene.name = "plate";
+            scene.contacts = true;
+            scene.bodies.push_back({.name = "ground", .shape = PlaneShape{}, .restitution = 0.2});
+            scene.bodies.push_back({.name = "plate",
+                                    .shape = BoxShape{{0.25, 0.02, 0.25}},
+                                    .mass = 0.05,
+                                    .position = {0, 0.4, 0},
+                                    .orientation = random.rotation(),
+                                    .restitution = 0.2});
+            scene.gravity = {0, -9.81, 0};
+            scene.bodies.back().angular_velocity = random.vector(-60, 60);
+            scene.bodies.back().velocity = random.vector(-2, 2);
+            Simulation simulation(build_scene(scene, settings), settings);
+            while (simulation.sample().time < 1.5)
+                deepest = std::max(deepest, simulation.advance().penetration.max / 0.02);
+        }
+        return deepest;
+    };
+    CHECK(deepest_with(divided()) < 0.05);
+    Settings whole = divided();
+    whole.substeps = 1;
+    CHECK(deepest_with(whole) > 0.2);
 }
 
 // Where a tonne and more hangs at two bars, tension grows from nothing within two steps.

@@ -161,7 +161,7 @@ TEST_CASE("of the substeps of a step the one with the most unsolved islands coun
     const OptionTexts heap{{"solver", "pgs"}, {"iterations", "3"}};
     OptionTexts halved = heap, whole = heap;
     whole.insert(whole.end(), {{"dt", "1/60"}, {"substeps", "2"}});
-    halved.emplace_back("dt", "1/120");
+    halved.insert(halved.end(), {{"dt", "1/120"}, {"substeps", "1"}});
     Simulation together = start("funnel", whole), alone = start("funnel", halved);
     int last_is_less = 0;
     for (int i = 0; i < 180; ++i) {

@@ -21,6 +21,32 @@ TEST_CASE("energies and momenta of one body are the textbook's") {
     CHECK((angular_momentum(bodies) - Vector3(0, 1.0 / 3.0, -12)).norm() < 1e-12);
 }
 
+TEST_CASE("a pair deepens by the increase of its own share, not by what another pair has had") {
+    using Pair = Penetration::Pair;
+    Penetration from, to;
+    from.deep = {Pair{{0, 1}, 0.5}, Pair{{2, 3}, 0.03}};
+    CHECK(deepening(from, {}) == 0.0);
+    CHECK(deepening(from, from) == 0.0);
+    to.deep = {Pair{{0, 1}, 0.4}, Pair{{1, 2}, 0.02}, Pair{{2, 3}, 0.06}};
+    CHECK(deepening(from, to) == Approx(0.03));
+    CHECK(deepening({}, to) == 0.4);
+    to.deep = {Pair{{0, 1}, 0.4}, Pair{{2, 4}, 0.02}};
+    CHECK(deepening(from, to) == 0.02);
+}
+
+TEST_CASE("pairs are listed that overlap by more than a hundredth of the smaller body's size") {
+    const std::vector<collision::Collider> colliders{{0, collision::Sphere{1.0}}, {1, collision::Sphere{0.1}}};
+    std::vector<Body> bodies{ball_body(1.0, 1.0, Vector3::Zero()), ball_body(1.0, 0.1, {1.0, 0, 0})};
+    for (const double share : {0.009, 0.011, 0.3}) {
+        bodies[1].position.x() = 1.1 - 0.2 * share;
+        const Penetration found = penetration(bodies, colliders);
+        INFO("overlap of " << share << " of 0.2 m");
+        CHECK(found.max == Approx(0.2 * share));
+        REQUIRE(found.deep.size() == (share > 0.01 ? 1u : 0u));
+        if (!found.deep.empty()) CHECK(found.deep.front().share == Approx(share));
+    }
+}
+
 TEST_CASE("penetration is the depth of the deepest point and the root mean square of all") {
     const std::vector<Body> bodies{static_body(Vector3::Zero()), box_body(1, Vector3::Ones(), {0, 0.4, 0})};
     const std::vector<collision::Collider> colliders{{.body = 0, .shape = collision::Plane{}},
