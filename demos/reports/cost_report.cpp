@@ -6,7 +6,6 @@
 #include "demos/base/text/suggest.h"
 #include "demos/figures/plot.h"
 #include "demos/reports/cost/cost.h"
-#include "demos/reports/study.h"
 #include "demos/scenes/catalogue.h"
 #include "demos/scenes/scene_file.h"
 

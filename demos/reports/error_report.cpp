@@ -2,14 +2,12 @@
 // (scenes against themselves at smaller steps), and their plots.
 #include "demos/base/platform/output_file.h"
 #include "demos/base/platform/plain_name.h"
-#include "demos/base/text/errors.h"
 #include "demos/base/text/suggest.h"
 #include "demos/reports/error/error.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 

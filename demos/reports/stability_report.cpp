@@ -1,7 +1,6 @@
 // The report on the stress list: stability.csv (one line per case, preset and check), thumbnails, the scenes that
 // are not in the catalogue, and the summary and last state of each run.
 #include "demos/base/platform/output_file.h"
-#include "demos/base/text/errors.h"
 #include "demos/base/text/numbers.h"
 #include "demos/base/text/suggest.h"
 #include "demos/figures/figure_output.h"

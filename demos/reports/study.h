@@ -2,6 +2,7 @@
 #pragma once
 
 #include "demos/base/platform/progress.h"
+#include "demos/base/text/errors.h"
 #include "demos/base/text/json.h"
 #include "demos/base/text/shard.h"
 #include "demos/base/text/text_hash.h"
@@ -10,6 +11,7 @@
 #include "demos/pages/table.h"
 #include "demos/runs/session.h"
 
+#include <algorithm>
 #include <atomic>
 #include <filesystem>
 #include <functional>

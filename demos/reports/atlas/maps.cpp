@@ -1,5 +1,4 @@
 // The list of maps and their axes, and maps that people ask for.
-#include "demos/base/text/errors.h"
 #include "demos/base/text/numbers.h"
 #include "demos/base/text/rational.h"
 #include "demos/base/text/suggest.h"
@@ -9,7 +8,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>

@@ -2,14 +2,10 @@
 
 #include "demos/base/text/median.h"
 #include "demos/runs/checkpoint.h"
-#include "demos/runs/session.h"
 #include "engine/collision/broad_phase.h"
 #include "engine/forces/poke.h"
 
 #include <fmt/format.h>
-
-#include <algorithm>
-#include <set>
 
 namespace pushfactor::demos::reports::cost {
 

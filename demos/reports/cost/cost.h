@@ -3,17 +3,13 @@
 #pragma once
 
 #include "demos/base/platform/processors.h"
-#include "demos/base/platform/progress.h"
-#include "demos/options/named_run.h"
+#include "demos/reports/study.h"
 #include "demos/runs/scene.h"
 #include "demos/runs/step_division.h"
 
 #include <array>
 #include <numeric>
-#include <optional>
-#include <string>
 #include <string_view>
-#include <vector>
 
 namespace pushfactor::demos::reports::cost {
 

@@ -3,7 +3,6 @@
 #include "demos/scenes/exact_motions/free_rotation.h"
 #include "demos/scenes/exact_motions/hanging_chain.h"
 
-#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <numbers>

@@ -1,14 +1,11 @@
 // Cuboid dice with a square cross-section: how often one of the two square faces ends up on top.
 #include "demos/base/platform/assets.h"
-#include "demos/base/text/errors.h"
 #include "demos/figures/plot.h"
 #include "demos/reports/reality/sections.h"
 #include "demos/scenes/random.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-
-#include <algorithm>
 
 namespace pushfactor::demos::reports::reality {
 

@@ -5,7 +5,6 @@
 #include "demos/reports/study.h"
 #include "demos/scenes/families/pieces.h"
 
-#include <algorithm>
 #include <array>
 #include <string_view>
 #include <utility>

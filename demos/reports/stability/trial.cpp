@@ -1,7 +1,6 @@
 #include "demos/base/platform/child_process.h"
 #include "demos/base/platform/output_file.h"
 #include "demos/base/text/csv.h"
-#include "demos/base/text/errors.h"
 #include "demos/base/text/json_reader.h"
 #include "demos/base/text/numbers.h"
 #include "demos/reports/stability/stability.h"
