@@ -175,15 +175,14 @@ class ErrorReport {
                       .error_axis = sweep.error_axis,
                       .work_axis = sweep.solves ? "work of the solver [multiply-adds] a simulated second"
                                                 : "moves of the bodies a simulated second",
-                      .machine = run_.machine(),
                       .lines = lines_of(sweep, points, false)};
         plot.theory = theory_of(sweep, plot.lines);
-        draw_work_plot(plot, run_.folder(), plate);
+        draw_work_plot(plot, run_, plate);
         plot.name = plain_name("error_cpu_" + sweep.name, '_');
         plot.work_axis = "CPU time [s] a simulated second";
         plot.lines = lines_of(sweep, points, true);
         plot.theory.clear();  // part of the CPU time does not depend on the knob
-        draw_work_plot(plot, run_.folder(), plate);
+        draw_work_plot(plot, run_, plate);
         add_answer(sweep, plot.lines, plate);
         run_.sections.push_back({plain_name("error_" + sweep.name, '_'), sweep.title, std::move(plate)});
         add_others(sweep, plot);
@@ -232,7 +231,7 @@ class ErrorReport {
             "error), on one machine in one run: CPU time of the steps, one thread. Where an engine has no bar, a "
             "link is a ball joint at the end of an arm that is fixed to the ball, and the exact motion is that of "
             "this.",
-            run_.folder(), {.table = faster}));
+            run_, {.table = faster}));
     }
 
     void add_moment(const FrozenMoment& moment) {
@@ -243,7 +242,6 @@ class ErrorReport {
         const WorkPlot plot{.name = plain_name("frozen_" + moment.name, '_'),
                             .error_axis = "residual [m/s]",
                             .work_axis = "work of the solve [multiply-adds]",
-                            .machine = run_.machine(),
                             .lines = error::lines_of(lines)};
         if (run_.request().exported) export_problem(freeze(moment, run_.check()), plot.name);
         const int columns = result.at("columns");
@@ -253,7 +251,7 @@ class ErrorReport {
                         "forces of the step before (warm); points are labelled with their iterations. Residual: "
                         "the largest velocity that a row still gets wrong.",
                         result.at("rows").get<int>(), columns, columns == 1 ? "" : "s"),
-            run_.folder(), {.commands = {command_text("run", moment.scene, moment.options)}}));
+            run_, {.commands = {command_text("run", moment.scene, moment.options)}}));
     }
 
     void export_problem(const FrozenProblem& problem, const std::string& name) const {

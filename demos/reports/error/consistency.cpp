@@ -128,7 +128,6 @@ void add_consistency(StudyRun& run) {
     WorkPlot plot{.name = "consistency",
                   .error_axis = "difference of the centres after a window, RMS [m]",
                   .work_axis = "steps per second",
-                  .machine = run.machine(),
                   .front = false};
     std::vector<std::string> orders;
     for (const Compared& which : compared) {
@@ -150,7 +149,7 @@ void add_consistency(StudyRun& run) {
         fmt::format("{} windows of {} s, restarted from states of a run with {} s steps, with which they are "
                     "compared. Order of the last halving: {}.",
                     plan.starts.size(), to_text(plan.window), to_text(plan.smallest), fmt::join(orders, ", ")),
-        run.folder()));
+        run));
 }
 
 }  // namespace pushfactor::demos::reports::error

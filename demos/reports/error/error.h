@@ -1,13 +1,70 @@
-// The report on errors: true errors of runs, the methods that it compares, scene by scene, the points of their
-// sweeps, systems of single moments, and the convergence of scenes to themselves. A new solver or integrator only
-// needs a line in experiments.cpp.
+// The report on errors: work-precision diagrams, true errors of runs, the methods that it compares, scene by scene,
+// the points of their sweeps, systems of single moments, and the convergence of scenes to themselves. A new solver
+// or integrator only needs a line in experiments.cpp.
 #pragma once
 
-#include "demos/reports/error/work_plot.h"
 #include "demos/reports/study.h"
 #include "engine/system/system_equation.h"
 
+#include <span>
+
 namespace pushfactor::demos::reports::error {
+
+// Work-precision diagrams, double logarithmic: lower left is better.
+
+struct WorkPoint {
+    double error = 0.0;  // drawn at the left border if below the axis range
+    double work = 0.0;
+    std::string label{};  // the value of the knob
+    bool failed = false;  // drawn hollow at the right border
+};
+
+struct WorkLine {
+    std::string name;
+    std::string colour{};  // name in the palette
+    int dash = 1;          // gnuplot's dash type
+    int mark = 7;          // gnuplot's point type
+    std::vector<WorkPoint> points{};
+};
+
+// The point of the least work whose error is at most `error`, and its line; null if none reaches it.
+std::pair<const WorkLine*, const WorkPoint*> cheapest(std::span<const WorkLine> lines, double error);
+
+// Colour of a method by the solver that its name begins with, the same on all plots: "pgs, cold".
+std::string colour_of_solver(const std::string& method);
+
+struct WorkPlot {
+    std::string name;  // of the files
+    std::string error_axis, work_axis;
+    std::vector<WorkLine> lines{};
+    std::vector<WorkLine> theory{};  // thin and grey, with their names
+    bool front = true;               // mark the Pareto front; not for lines that are no alternatives
+};
+
+// Writes NAME.dat and, where gnuplot is installed, draws it as NAME.png and NAME.svg, with the machine in small
+// print below. Adds the files to the plate; without gnuplot its caption says what to install.
+void draw_work_plot(WorkPlot plot, const StudyRun& run, SectionContent& plate);
+
+// A section with the plot, named like it.
+Section work_section(const WorkPlot& plot, const std::string& heading, const std::string& caption,
+                     const StudyRun& run, SectionContent plate = {});
+
+// Indices of the points that no other point dominates (less error or work, and no more of the other), by rising
+// error; of equal points the first.
+std::vector<std::size_t> pareto_front(std::span<const WorkPoint> points);
+
+// A position in letter widths, y upwards.
+using Place = Eigen::Vector2d;
+
+struct Segment {
+    Place from, to;
+};
+
+// The centre of each label next to its point, so that none covers a point or another label, and if possible no
+// line; none where there is no room. Labels stay inside the area from (0, 0) to `corner`.
+std::vector<std::optional<Place>> place_labels(const std::vector<Place>& points,
+                                               const std::vector<std::string>& labels,
+                                               const std::vector<Segment>& lines, const Place& corner);
 
 // True errors of runs: against closed forms, exact motion or converged forces, never against another program or a
 // finer run.
@@ -133,11 +190,10 @@ struct Experiment {
     std::string error_axis{};
     std::string caption{};
     std::vector<Method> methods{};
-    double contraction = 0.0;  // of the error per sweep of cold pgs, 0 if unknown
-    std::optional<double>
-        clock_seconds{};  // s, length of the timed runs, if a shorter run costs the same per second
-    int timed_runs = 5;   // per point
-    bool solves = true;   // false: there are no rows, and work is counted in moves
+    double contraction = 0.0;               // of the error per sweep of cold pgs, 0 if unknown
+    std::optional<double> clock_seconds{};  // s, of the timed runs, if a shorter run costs the same per second
+    int timed_runs = 5;                     // per point
+    bool solves = true;                     // false: there are no rows, and work is counted in moves
 };
 
 // The experiments. `quick`: few values and short runs.
@@ -262,7 +318,7 @@ Table solve_frozen(const FrozenProblem& problem, bool quick);
 Piece piece_of(const FrozenMoment& moment, bool quick);
 
 // Lines of the plot of one problem: all but `dense`, whose work would compress the others.
-std::vector<WorkLine> lines_of(const std::vector<std::vector<std::string>>& lines);
+std::vector<WorkLine> lines_of(const TextTable& lines);
 
 // Convergence of each scene to itself at smaller steps. In several windows, runs restart from states of one run
 // with the smallest step, so that chaos does not grow beyond a window.

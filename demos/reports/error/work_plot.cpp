@@ -1,12 +1,10 @@
-#include "demos/reports/error/work_plot.h"
-
 #include "demos/base/text/palette.h"
 #include "demos/figures/plot.h"
+#include "demos/reports/error/error.h"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numeric>
@@ -155,8 +153,8 @@ std::string label_block(const WorkPlot& plot, const Axes& axes) {
     return block("labels: error, work, text, colour", text);
 }
 
-std::string data_text(const WorkPlot& plot, const Axes& axes) {
-    std::string text = fmt::format("# {}\n", plot.machine), failures;
+std::string data_text(const WorkPlot& plot, const Axes& axes, const std::string& machine) {
+    std::string text = fmt::format("# {}\n", machine), failures;
     for (const WorkLine& line : plot.lines) {
         std::string lines;
         for (const WorkPoint& point : line.points) {
@@ -199,7 +197,7 @@ std::string colour_of_solver(const std::string& method) {
     return "grey";
 }
 
-void draw_work_plot(WorkPlot plot, const std::filesystem::path& folder, SectionContent& plate) {
+void draw_work_plot(WorkPlot plot, const StudyRun& run, SectionContent& plate) {
     // Zero work has no place on a logarithmic axis.
     for (WorkLine& line : plot.lines) {
         std::erase_if(line.points, [](const WorkPoint& point) {
@@ -231,18 +229,18 @@ void draw_work_plot(WorkPlot plot, const std::filesystem::path& folder, SectionC
                                      {"front", plot.front ? 1.0 : 0.0},
                                      {"error_axis", plot.error_axis},
                                      {"work_axis", plot.work_axis},
-                                     {"machine", plot.machine},
+                                     {"machine", run.machine()},
                                      {"error_low", axes.error.at(0.0)},
                                      {"error_high", axes.error.at(1.0)},
                                      {"work_low", axes.work.at(0.0)},
                                      {"work_high", axes.work.at(1.0)}}};
-    add_plot(drawing, data_text(plot, axes), folder, plate);
+    add_plot(drawing, data_text(plot, axes, run.machine()), run.folder(), plate);
 }
 
 Section work_section(const WorkPlot& plot, const std::string& heading, const std::string& caption,
-                     const std::filesystem::path& folder, SectionContent plate) {
+                     const StudyRun& run, SectionContent plate) {
     plate.caption = caption;
-    draw_work_plot(plot, folder, plate);
+    draw_work_plot(plot, run, plate);
     return {plot.name, heading, std::move(plate)};
 }
 

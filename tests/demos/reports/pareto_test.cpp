@@ -1,4 +1,4 @@
-#include "demos/reports/error/work_plot.h"
+#include "demos/reports/error/error.h"
 #include "tests/catch.h"
 #include "tests/random.h"
 

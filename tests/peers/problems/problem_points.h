@@ -2,7 +2,7 @@
 #pragma once
 
 #include "demos/pages/table.h"
-#include "demos/reports/error/work_plot.h"
+#include "demos/reports/error/error.h"
 #include "tests/peers/problems/contact_errors.h"
 #include "tests/peers/problems/rows_of_contacts.h"
 

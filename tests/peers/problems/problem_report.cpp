@@ -90,10 +90,9 @@ Section section_of(const ContactProblem& problem, const std::vector<ProblemPoint
     demos::reports::error::draw_work_plot({.name = name,
                                            .error_axis = "error of Siconos (no unit)",
                                            .work_axis = "CPU time [s]",
-                                           .machine = run.machine(),
                                            .lines = lines_of(points),
                                            .theory = {}},
-                                          run.folder(), section.content);
+                                          run, section.content);
     return section;
 }
 
