@@ -91,9 +91,9 @@ inline Expectations with_paper(const std::string& outcome, const std::string& of
 // The chapters of each source file.
 using MakeChapter = Chapter();
 MakeChapter heavy_on_light, heights, step_lengths, sizes_and_places, overlaps, thin, structures;  // standing.cpp
-MakeChapter impacts, passing, turning, bounces, chains, ball_joints, redundant_bars, little;      // motion.cpp
 MakeChapter slopes, directions, slab, rolls, hovering;                                            // sliding.cpp
-MakeChapter seams;                                                                                // floors.cpp
+MakeChapter impacts, passing, turning, bounces, seams;                                            // motion.cpp
+MakeChapter chains, ball_joints, redundant_bars, little;                                          // motion.cpp
 
 // All chapters in page order; for `quick` only quick cases and their chapters.
 std::vector<Chapter> chapters(bool quick);
