@@ -1,6 +1,5 @@
 // The stability atlas, maps of the outcomes of runs over two of their parameters: atlas.csv, and the maps that are
 // complete. A piece is a cell, so that the full atlas, the quick one and a part share what they have in common.
-#include "demos/base/platform/output_file.h"
 #include "demos/base/platform/version.h"
 #include "demos/base/text/suggest.h"
 #include "demos/figures/plot.h"
@@ -59,10 +58,7 @@ Pieces atlas_pieces(const StudyRequest& request) {
 }
 
 void add_replays(const AtlasMap& map, StudyRun& run, SectionContent& plate) {
-    const std::vector<AtlasCell> cells = cells_with_replay(map, *run.request().grid);
-    if (cells.empty()) return;
-    make_folder(run.folder() / "cells");
-    for (const AtlasCell& cell : cells) {
+    for (const AtlasCell& cell : cells_with_replay(map, *run.request().grid)) {
         run.write(replay_file(map, cell), run.result(replay_piece_of(cell).key).get<std::string>());
         plate.replays.push_back(replay_file(map, cell));
     }

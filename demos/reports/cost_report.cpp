@@ -1,6 +1,5 @@
 // Work and time per step of each scene, and the savings from absent parts: cost.csv, side_by_side.csv, plots, and
 // files of the scenes with everything and of the common worlds.
-#include "demos/base/platform/output_file.h"
 #include "demos/base/platform/plain_name.h"
 #include "demos/base/text/numbers.h"
 #include "demos/base/text/suggest.h"
@@ -156,8 +155,6 @@ class CostReport {
           neighbours_(run.request().wants(side_by_side) ? neighbours(run.quick()) : std::vector<Neighbours>{}) {}
 
     void make() {
-        make_folder(run_.folder() / "everything");
-        if (!neighbours_.empty()) make_folder(run_.folder() / side_by_side);
         run_.begin(cases_.size() + neighbours_.size());
         for (const CostCase& one : cases_) {
             entries_.push_back(entry_of(one));

@@ -267,7 +267,7 @@ Json StudyRun::result(const std::string& key) const {
 }
 
 void StudyRun::write(const std::string& name, const std::string& text) const {
-    write_file(folder() / name, text);
+    write_into_folder(folder() / name, text);
 }
 
 void StudyRun::write(const std::string& name, const Table& table) const {

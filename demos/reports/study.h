@@ -147,7 +147,7 @@ class StudyRun {
     };
     const Count& count() const { return count_; }
 
-    // Writes a file, whole or not at all.
+    // Writes a file, whole or not at all, and makes the folder that `name` may have: "cells/a.html".
     void write(const std::string& name, const std::string& text) const;
     void write(const std::string& name, const Table& table) const;  // below a line with the machine
     // The same, and content with the table, its file and a caption.

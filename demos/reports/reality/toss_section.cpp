@@ -1,7 +1,6 @@
 // The tosses as this engine computes them: the law of contact that fits every other toss, and how far it goes on
 // the others; beside other engines where their results are given.
 #include "demos/base/platform/assets.h"
-#include "demos/base/platform/output_file.h"
 #include "demos/base/text/csv.h"
 #include "demos/base/text/median.h"
 #include "demos/base/text/numbers.h"
@@ -99,7 +98,6 @@ void add_replays(StudyRun& run, const Tosses& tosses, const Judged& judged, cons
     std::vector<std::size_t> order(tosses.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::ranges::sort(order, {}, [&](std::size_t t) { return judged.position[t]; });
-    make_folder(run.folder() / "tosses");
     for (const auto& [name, t] : {std::pair{"best", order.front()}, std::pair{"median", order[order.size() / 2]},
                                   std::pair{"worst", order.back()}}) {
         const std::string file = fmt::format("tosses/{}.json", name), page = fmt::format("tosses/{}.html", name);
