@@ -240,11 +240,9 @@ class CostReport {
             page_lines(comparison_of(entries_)), "cost_everything", times_of(entries_));
     }
 
-    void add(const char* name, const char* heading, const char* caption,
-             std::vector<std::vector<std::string>> lines, const std::string& script = "", const Table& data = {}) {
-        SectionContent plate;
-        plate.caption = caption;
-        plate.table = std::move(lines);
+    void add(const char* name, const char* heading, const char* caption, TextTable lines,
+             const std::string& script = "", const Table& data = {}) {
+        SectionContent plate{.caption = caption, .table = std::move(lines)};
         const bool complete = entries_.size() + sums_.size() == cases_.size() + neighbours_.size();
         const auto bars = static_cast<double>(data.rows.size());
         if (complete && bars > 0.0) {

@@ -236,7 +236,7 @@ class ErrorReport {
 
     void add_moment(const FrozenMoment& moment) {
         const Json result = run_.result(piece_of(moment, run_.quick()).key);
-        const auto lines = result.at("lines").get<std::vector<std::vector<std::string>>>();
+        const auto lines = result.at("lines").get<TextTable>();
         for (const auto& cells : lines) frozen_.rows.emplace_back(cells.begin(), cells.end());
         run_.write("frozen.csv", frozen_);
         const WorkPlot plot{.name = plain_name("frozen_" + moment.name, '_'),

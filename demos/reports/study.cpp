@@ -89,6 +89,13 @@ std::string cpu_model() {
     return "";
 }
 
+// What about_json() says, as a line for captions.
+std::string about_line() {
+    const std::string cpu = cpu_model();
+    return fmt::format("pushfactor {}, {}, {}; {}{} cores", version_text(), compiler, compile_flags(),
+                       cpu.empty() ? "" : cpu + ", ", std::thread::hardware_concurrency());
+}
+
 // Ends a piece in progress.
 struct Dropped {};
 
@@ -302,12 +309,6 @@ std::string about_json() {
                           {"flags", compile_flags()},
                           {"cpu", cpu.empty() ? Json(nullptr) : Json(cpu)},
                           {"cores", std::thread::hardware_concurrency()}});
-}
-
-std::string about_line() {
-    const std::string cpu = cpu_model();
-    return fmt::format("pushfactor {}, {}, {}; {}{} cores", version_text(), compiler, compile_flags(),
-                       cpu.empty() ? "" : cpu + ", ", std::thread::hardware_concurrency());
 }
 
 std::vector<Study> all_studies() {

@@ -174,9 +174,8 @@ class StudyRun {
 // a share failed.
 StudyRun::Count make_study(const Study& study, const StudyRequest& request);
 
-// Program, compiler and machine, without which times mean nothing: about.json, and a line for captions.
+// Program, compiler and machine, without which times mean nothing: about.json.
 std::string about_json();
-std::string about_line();
 
 Study error_study();      // errors of methods against their work
 Study stability_study();  // judged extreme cases

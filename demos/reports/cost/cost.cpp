@@ -68,28 +68,13 @@ void add_islands(const engine::World& world, Counts& sum) {
     }
 }
 
-double& rows_in(engine::RowKind kind, Counts& counts) {
-    switch (kind) {
-        case engine::RowKind::friction:
-            return counts.friction_rows;
-        case engine::RowKind::distance:
-        case engine::RowKind::spring:
-            return counts.distance_rows;
-        case engine::RowKind::joint:
-        case engine::RowKind::motor:
-        case engine::RowKind::limit:
-            return counts.joint_rows;
-        case engine::RowKind::contact:
-            break;
-    }
-    return counts.contact_rows;
-}
-
 void add_step(const engine::StepCount& step, Counts& sum) {
-    for (std::size_t k = 0; k < engine::row_kind_count; ++k) {
-        const auto kind = static_cast<engine::RowKind>(k);
-        rows_in(kind, sum) += step.rows(kind);
-    }
+    using engine::RowKind;
+    static_assert(engine::row_kind_count == 7, "each kind is counted below");
+    sum.contact_rows += step.rows(RowKind::contact);
+    sum.friction_rows += step.rows(RowKind::friction);
+    sum.distance_rows += step.rows(RowKind::distance) + step.rows(RowKind::spring);
+    sum.joint_rows += step.rows(RowKind::joint) + step.rows(RowKind::motor) + step.rows(RowKind::limit);
     sum.columns += step.columns;
     sum.at_rest += step.at_rest;
     sum.sweeps += step.sweeps;

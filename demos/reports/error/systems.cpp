@@ -20,9 +20,8 @@ using engine::Vector6;
 
 template <typename Numbers>
 Json numbers_of(const Numbers& numbers) {
-    Json array = Json::array();
-    for (const double number : numbers.reshaped()) array.push_back(number);
-    return array;
+    const auto all = numbers.reshaped();
+    return std::vector<double>(all.begin(), all.end());
 }
 
 constexpr std::size_t most_rows_of_dense = 200;
@@ -264,7 +263,7 @@ Piece piece_of(const FrozenMoment& moment, bool quick) {
             }};
 }
 
-std::vector<WorkLine> lines_of(const std::vector<std::vector<std::string>>& lines) {
+std::vector<WorkLine> lines_of(const TextTable& lines) {
     std::vector<WorkLine> drawn;
     for (const auto& cells : lines) {
         const std::string &method = cells[1], &iterations = cells[2];

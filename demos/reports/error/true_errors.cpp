@@ -257,16 +257,11 @@ TrueError converged_error(const Simulation& start) {
 
 double PartingCube::height(long steps) const {
     const auto n = static_cast<double>(steps);
-    switch (push.kind) {
-        case engine::PushKind::persistent:
-            return start + push.beta * (rest - start) * n - gravity * dt * dt * n * (n - 1.0) / 2.0;
-        case engine::PushKind::single_frame:
-        case engine::PushKind::curve:
-            return rest - (rest - start) * std::pow(1.0 - push.beta, n);
-        case engine::PushKind::none:
-            break;
+    if (push.kind == engine::PushKind::none) return start;
+    if (push.kind == engine::PushKind::persistent) {
+        return start + push.beta * (rest - start) * n - gravity * dt * dt * n * (n - 1.0) / 2.0;
     }
-    return start;
+    return rest - (rest - start) * std::pow(1.0 - push.beta, n);
 }
 
 double PartingCube::upward_speed(long steps) const {

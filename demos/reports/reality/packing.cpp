@@ -26,19 +26,13 @@ constexpr double frequency = 3.0, amplitude = 0.1;    // 1/s, m: 3.6 g, so that 
 
 // The body at the origin; all solids have the same volume.
 BodyDescription body_of(const std::string& solid) {
-    BodyDescription body{.mass = 1.0};
-    if (solid == "sphere") {
-        body.shape = SphereShape{radius};
-        return body;
-    }
-    if (solid == "cube") {
-        body.shape = BoxShape{Vector3::Constant(std::cbrt(volume))};
-        return body;
-    }
+    if (solid == "sphere") return {.shape = SphereShape{radius}, .mass = 1.0};
+    if (solid == "cube") return {.shape = BoxShape{Vector3::Constant(std::cbrt(volume))}, .mass = 1.0};
     const auto found = std::ranges::find(scenes::regular_solids(), solid, &scenes::RegularSolid::name);
     std::vector<Vector3> points(found->points.begin(), found->points.end());
     const double scale = std::cbrt(volume / make_polyhedron(points).shape.volume);
     for (Vector3& point : points) point *= scale;
+    BodyDescription body{.mass = 1.0};
     give_polyhedron(body, make_polyhedron(points));
     return body;
 }

@@ -225,9 +225,8 @@ void add_tosses(StudyRun& run) {
     for (const Result& result : results) table.rows.push_back({result.what, result.value, result.error});
     run.write("toss_results.csv", table);
 
-    SectionContent content;
-    content.table = page_table(results, engines);
-    content.files = {"toss_results.csv", "toss_fit.csv", "toss_errors.csv", "tosses.csv"};
+    SectionContent content{.files = {"toss_results.csv", "toss_fit.csv", "toss_errors.csv", "tosses.csv"},
+                           .table = page_table(results, engines)};
     content.caption = fmt::format(
         "A cube of 0.1048 m and 0.37 kg, tossed onto a board: {} tosses of ContactNets (Pfrommer, Halm and Posa "
         "2020; BSD 3-clause), 148 poses a second. Each is computed from its first pose and velocity, with one law "

@@ -63,6 +63,11 @@ double clearance(const Pose& pose, double board) {
     return pose.position.y() - board - 0.5 * edge * pose.orientation.toRotationMatrix().row(1).cwiseAbs().sum();
 }
 
+PoseError between(const Pose& measured, const Pose& computed) {
+    return {(measured.position - computed.position).norm() / edge,
+            measured.orientation.angularDistance(computed.orientation) * 180.0 / std::numbers::pi};
+}
+
 constexpr std::size_t fewest = 10;  // tosses, of a mean
 
 // The errors at the frames of each toss that `frames_of` gives for it and its contacts, frame by frame, while there
@@ -136,11 +141,6 @@ std::vector<Toss> read_tosses(const std::filesystem::path& folder) {
         toss.start = {toss.frames.front(), vector_at(line, 9), vector_at(line, 12)};
     }
     return tosses;
-}
-
-PoseError between(const Pose& measured, const Pose& computed) {
-    return {(measured.position - computed.position).norm() / edge,
-            measured.orientation.angularDistance(computed.orientation) * 180.0 / std::numbers::pi};
 }
 
 PoseError mean_error(const Toss& toss, const std::vector<Pose>& poses) {
@@ -291,10 +291,9 @@ Judged judge(const Engine& engine, const Tosses& tosses, const Law& law) {
 std::vector<ErrorsAt> errors_over_time(const Tosses& tosses, const Judged& judged, const Law& law) {
     constexpr auto longest = static_cast<std::size_t>(0.6 * frames_per_second);
     const auto frames_of = [](const Toss& toss, const std::vector<std::size_t>& contacts) {
-        std::vector<std::size_t> frames;
         const std::size_t first = contacts.empty() ? toss.frames.size() : contacts.front();
-        for (std::size_t at = first; at < std::min(toss.frames.size(), first + longest + 1); ++at)
-            frames.push_back(at);
+        std::vector<std::size_t> frames(std::min(toss.frames.size() - first, longest + 1));
+        std::iota(frames.begin(), frames.end(), first);
         return frames;
     };
     std::vector<ErrorsAt> all = errors_at(tosses, judged, law, frames_of);

@@ -80,7 +80,6 @@ struct PoseError {
     double position = 0.0;  // in edges
     double angle = 0.0;     // degrees
 };
-PoseError between(const Pose& measured, const Pose& computed);
 
 // Mean over the frames after the first.
 PoseError mean_error(const Toss& toss, const std::vector<Pose>& poses);
