@@ -138,7 +138,8 @@ SceneDescription ball_joint_chain(double angle) {
 SceneDescription seam_floor(const Ride& ride) {
     SceneDescription scene = touching("seam-floor", {}, 0.8);
     Floor tiles{.corner = {-1.2, 0, -3.0}};
-    if (ride.uneven != 0.0) tiles = {{-1.2, 0, -2.2}, 15, 11, 0.4, ride.uneven};
+    if (ride.uneven != 0.0)
+        tiles = {.corner = {-1.2, 0, -2.2}, .rows = 15, .lanes = 11, .side = 0.4, .uneven = ride.uneven};
     lay(scene, tiles);
     const Vector3 size(tiles.rows * tiles.side, floor_thickness, tiles.lanes * tiles.side);
     const Vector3 middle = tiles.corner + 0.5 * Vector3(size.x(), -size.y(), size.z());
