@@ -133,8 +133,7 @@ const std::array simulation_table{
                      [](const Settings& s) { return to_text(s.dt); }},
     SimulationOption{"substeps", "N|auto",
                      "engine steps per step; auto: as many as bars and joints need that are under tension or turn "
-                     "fast, and as keep "
-                     "bodies from ending deep in each other",
+                     "fast, and bodies that would end deep in each other",
                      "a whole number from 1 to 10000, or auto",
                      [](Settings& s, std::string_view t) {
                          if (t == "auto") s.substeps.reset();

@@ -18,17 +18,20 @@ void take_checkpoint(const BuiltScene& scene, double parts, Checkpoint& into) {
     }
 }
 
-void go_back(BuiltScene& scene, const Checkpoint& checkpoint) {
-    const RunState& state = checkpoint.state;
-    scene.world.bodies = checkpoint.bodies;
+void restore(BuiltScene& scene, const RunState& state) {
     if (scene.distances) scene.distances->set_forces(state.distance_forces);
     if (scene.joints) {
         scene.joints->set_forces(state.joint_forces);
-        scene.joints->set_angles(state.joint_angles);
+        if (!state.joint_angles.empty()) scene.joints->set_angles(state.joint_angles);
     }
     if (scene.contacts) scene.contacts->set_forces(state.contact_forces);
     if (scene.world.rest) scene.world.rest->set_memory(state.rest, scene.world.bodies);
     scene.world.resume(state.time);
+}
+
+void go_back(BuiltScene& scene, const Checkpoint& checkpoint) {
+    scene.world.bodies = checkpoint.bodies;
+    restore(scene, checkpoint.state);
 }
 
 void take_state(const engine::Body& body, BodyDescription& into) {

@@ -14,6 +14,9 @@ struct Checkpoint {
 // Overwrites `into`, reusing its memory. `parts`: StepDivision::level().
 void take_checkpoint(const BuiltScene& scene, double parts, Checkpoint& into);
 
+// Gives the parts of the scene what they remember of a run; its bodies are those of then.
+void restore(BuiltScene& scene, const RunState& state);
+
 // Takes the scene back to a checkpoint of its own.
 void go_back(BuiltScene& scene, const Checkpoint& checkpoint);
 

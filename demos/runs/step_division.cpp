@@ -75,7 +75,7 @@ bool StepDivision::suffices(const engine::World& world, double dt) {
         if (asked.by_forces) continue;
         const double wanted = dt * asked.rate(world);
         if (!(wanted > most_excess * parts())) continue;
-        short_ = wanted > most_parts;
+        short_ = short_ || wanted > most_parts;
         if (parts() == most_parts) continue;
         rule_ = asked.name;
         level_ = std::min(wanted, double{most_parts});

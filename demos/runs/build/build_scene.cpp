@@ -2,7 +2,7 @@
 #include "demos/options/choices.h"
 #include "demos/options/simulation_options.h"
 #include "demos/runs/build/scene_parts.h"
-#include "demos/scenes/run_state.h"
+#include "demos/runs/checkpoint.h"
 #include "engine/base/invalid_input.h"
 #include "engine/base/overloaded.h"
 #include "engine/bodies/diagnostics.h"
@@ -152,10 +152,9 @@ void set_scheme(BuiltScene& scene, const SceneDescription& description, const Se
                                                       : engine::rattle6;
 }
 
-void set_rest(BuiltScene& scene, const SceneDescription& description, const Settings& settings) {
+void set_rest(BuiltScene& scene, const Settings& settings) {
     if (!settings.rest || is_rattle(settings.scheme)) return;
     scene.world.rest = std::make_unique<engine::Rest>();
-    if (description.state) scene.world.rest->set_memory(description.state->rest, scene.world.bodies);
 }
 
 void set_threads(BuiltScene& scene, const Settings& settings) {
@@ -206,11 +205,11 @@ BuiltScene build_scene(const SceneDescription& description, const Settings& sett
     add_solver(scene, settings);
     scene.world.rotate = orientation_step(settings);
     set_scheme(scene, description, settings);
-    set_rest(scene, description, settings);
+    set_rest(scene, settings);
     set_threads(scene, settings);
     set_measure(scene, description, settings);
     if (description.state) {
-        scene.world.resume(description.state->time);
+        restore(scene, *description.state);
         scene.parts_before = description.state->parts;
     }
     return scene;

@@ -1,5 +1,4 @@
 #include "demos/runs/build/scene_parts.h"
-#include "demos/scenes/run_state.h"
 #include "engine/base/invalid_input.h"
 #include "engine/base/overloaded.h"
 #include "engine/impacts/impacts.h"
@@ -132,10 +131,7 @@ void add_contacts(BuiltScene& scene, const SceneDescription& description, const 
     }
     if (settings.margin > 0.0)
         contacts->set_continuous_collision(std::make_unique<collision::ContinuousCollision>());
-    if (settings.warm_start) {
-        contacts->set_cache(std::make_unique<engine::ContactCache>(
-            description.state ? description.state->contact_forces : engine::ContactCache{}));
-    }
+    if (settings.warm_start) contacts->set_cache(std::make_unique<engine::ContactCache>());
     contacts->set_materials(std::move(materials));
     contacts->set_mechanisms(mechanisms_of(scene));
     scene.no_contacts = pairs_without_contacts(description);

@@ -1,5 +1,4 @@
 #include "demos/runs/build/scene_parts.h"
-#include "demos/scenes/run_state.h"
 #include "engine/base/invalid_input.h"
 #include "engine/system/loops.h"
 
@@ -110,7 +109,6 @@ void add_distances(BuiltScene& scene, const SceneDescription& description, const
     const engine::Correction whole{engine::PushKind::persistent, 1.0};
     auto source = std::make_unique<engine::DistanceConstraints>(
         std::move(distances), is_rattle(settings.scheme) ? whole : settings.distances, settings.warm_start);
-    if (description.state) source->set_forces(description.state->distance_forces);
     scene.distances = source.get();
     scene.world.constraints.push_back(std::move(source));
 }
@@ -129,10 +127,6 @@ void add_joints(BuiltScene& scene, const SceneDescription& description, const Se
     find_loops(scene, joints);
     auto source =
         std::make_unique<engine::JointConstraints>(std::move(joints), settings.distances, settings.warm_start);
-    if (description.state) {
-        source->set_forces(description.state->joint_forces);
-        if (!description.state->joint_angles.empty()) source->set_angles(description.state->joint_angles);
-    }
     scene.joints = source.get();
     scene.world.constraints.push_back(std::move(source));
 }
