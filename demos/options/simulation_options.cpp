@@ -162,13 +162,14 @@ const std::array simulation_table{
                   {"rattle4", Scheme::rattle4},
                   {"rattle6", Scheme::rattle6}},
                  &Settings::scheme),
-    SimulationOption{
-        "small-steps", "NxK",
-        "N small steps with at least K sweeps per solve; auto: 16, or 8 where more than 2 % of the bodies move",
-        "auto or NxK with whole numbers from 1 to 1000", set_small_steps,
-        [](const Settings& s) {
-            return s.small_steps ? fmt::format("{}x{}", s.small_steps->steps, s.small_steps->sweeps) : "auto";
-        }},
+    SimulationOption{"small-steps", "NxK",
+                     "N small steps with at least K sweeps per solve; auto: 12x1, or more steps for small bodies "
+                     "under large forces",
+                     "auto or NxK with whole numbers from 1 to 1000", set_small_steps,
+                     [](const Settings& s) {
+                         return s.small_steps ? fmt::format("{}x{}", s.small_steps->steps, s.small_steps->sweeps)
+                                              : "auto";
+                     }},
     word<PushKind>(
         "push", "KIND", "how contacts correct penetration: none, persistent, single-frame",
         {{"none", PushKind::none}, {"persistent", PushKind::persistent}, {"single-frame", PushKind::single_frame}},

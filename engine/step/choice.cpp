@@ -43,12 +43,13 @@ struct Momenta {
     Vector3 linear, angular;
 };
 
-int count_moving(const SystemEquation& system, std::span<const Body> bodies, const Island& island) {
+// Whether none of its bodies is faster than its external force makes it in this step.
+bool stands(const SystemEquation& system, std::span<const Body> bodies, const Island& island) {
     const Ground ground = ground_of(system, bodies, island);
-    return static_cast<int>(std::count_if(island.bodies.begin(), island.bodies.end(), [&](int body) {
+    return std::none_of(island.bodies.begin(), island.bodies.end(), [&](int body) {
         const Body& own = bodies[static_cast<std::size_t>(body)];
         return Momenta(own, ground).linear.norm() > steps_of_force * system.dt * own.force.norm();
-    }));
+    });
 }
 
 double mass_ratio(std::span<const Body> bodies, const Island& island) {
@@ -59,11 +60,6 @@ double mass_ratio(std::span<const Body> bodies, const Island& island) {
         smallest = std::min(smallest, inverse_mass);
     }
     return largest / smallest;
-}
-
-// Whether none of its bodies is faster than its external force makes it in this step.
-bool stands(const SystemEquation& system, std::span<const Body> bodies, const Island& island) {
-    return count_moving(system, bodies, island) == 0;
 }
 
 // Largest speed of a body whose whole kinetic energy were that of its mass centre [m/s].
@@ -96,8 +92,6 @@ double speed_by_forces(double dt, std::span<const Body> bodies, const Island& is
 }
 
 SmallStepDivision division_of(const SystemEquation& system, std::span<const Body> bodies, const Island& island) {
-    const bool is_heap = count_moving(system, bodies, island) > a_part * island.movable();
-    SmallStepDivision division{.steps = is_heap ? steps_of_moving : steps_of_carrying, .sweeps = 1};
     double most = 0.0;  // 1/s^2, acceleration over allowed compression
     for (const int body : island.bodies) {
         const Body& own = bodies[static_cast<std::size_t>(body)];
@@ -105,8 +99,7 @@ SmallStepDivision division_of(const SystemEquation& system, std::span<const Body
         most = std::max(most, own.inverse_mass * own.force.norm() / (compressed * radius));
     }
     const double wanted = std::ceil(system.dt * std::sqrt(most));
-    division.steps = std::max(division.steps, static_cast<int>(std::min(wanted, most_steps)));
-    return division;
+    return {.steps = std::max(fewest_steps, static_cast<int>(std::min(wanted, most_steps))), .sweeps = 1};
 }
 
 bool will_do(double residual, const solvers::Termination& usual, const SystemEquation& system,
@@ -138,7 +131,7 @@ Worth worth_of(const SystemEquation& system, std::span<const Body> bodies, const
     const double most = most_work * std::max(1.0, island.movable() / bodies_of_limits);
     const bool needs_it = !divided || has_loops || !island.has(RowDigest::opens);
     const double of_body = needs_it ? of_a_body : island.has(RowDigest::acts_both_ways) ? of_a_body_on_bars : 0.0;
-    const bool passes = ratio <= 2.0 * steps;  // load, in the solves of so many small steps
+    const bool passes = ratio <= steps;  // load, in the solves of so many small steps
     const double of_few = !passes || (standing && island.movable() <= few) ? few * of_a_body : 0.0;
     const double least = std::max(of_few, of_body * island.movable());
     const double multiply_adds = std::max(std::min(of_sweeps, most), least);

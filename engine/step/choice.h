@@ -7,8 +7,8 @@
 //     else serves: loops of joints, mechanisms that touch nothing, islands that take no small steps, and masses so
 //     unequal that load does not pass in small steps, where that is cheap: towers and crates, not a wall that a
 //     heavy ball hits. A solution that lasts and costs more is looked for by sweeps of the whole step.
-//   - Everything else takes small steps: few in a heap in which bodies move, because impacts change it anyway; more
-//     in a structure that stands, because what carries load is compressed by g h^2.
+//   - Everything else takes small steps, more of them the larger the forces are for a body's size, because what
+//     carries load is compressed by g h^2.
 #pragma once
 
 #include "engine/bodies/body.h"
