@@ -34,6 +34,13 @@ bool are_one_file(const std::string& a, const std::string& b) {
     return place_of(a) == place_of(b) || fs::equivalent(a, b, ignored);
 }
 
+// Whether a new folder of this name would be taken for one of the files that are written.
+bool looks_like_file(const std::string& folder) {
+    static const std::set<std::string> endings{".png",  ".svg", ".mp4", ".html", ".csv",
+                                               ".json", ".glb", ".md",  ".xml"};
+    return endings.contains(fs::path(folder).extension()) && !fs::is_directory(folder);
+}
+
 // The headings of the options that are listed, in their order.
 std::vector<std::string> groups_of(const std::vector<Option>& options) {
     std::vector<std::string> groups;
@@ -133,7 +140,9 @@ std::vector<std::string> Words::take_all(std::string_view option) {
         for (const std::string& text : found->second) {
             if (one.kind == OptionKind::reads) reads_.push_back({field(one.name), text});
             if (one.kind == OptionKind::writes) writes_.push_back({field(one.name), text});
-            if (one.placeholder == "DIR") folders_.push_back({field(one.name), text});
+            if (one.placeholder != "DIR") continue;
+            if (looks_like_file(text)) throw UsageError("{}: must be the name of a folder", field(one.name));
+            folders_.push_back({field(one.name), text});
         }
     }
     return found->second;

@@ -162,7 +162,7 @@ const Keys& scene_keys() {
         Fields fields(all);
         SceneDescription scene;
         describe(fields, scene, "");
-        return joined({all, {"state", "options", "camera", "colours"}});
+        return joined({all, {"$schema", "state", "options", "camera", "colours"}});
     }();
     return keys;
 }
@@ -186,6 +186,7 @@ SceneDescription read_scene_file(const std::filesystem::path& file) {
     const Json document = read_json_file(file, file.string());
     const JsonReader json(document, file.string());
     json.require_object(scene_keys());
+    if (json.has("$schema")) json.at("$schema").string();  // for editors
     SceneDescription scene;
     scene.name = name_of_file(file);
     scene.gravity.setZero();

@@ -27,7 +27,7 @@ namespace {
 
 // A scene with one of everything that a scene file can hold.
 const char* const everything = R"({
-    "version": 1, "name": "everything", "gravity_m_per_s2": [0, -10, 0],
+    "$schema": "scene.schema.json", "version": 1, "name": "everything", "gravity_m_per_s2": [0, -10, 0],
     "bodies": [
         {"name": "ground", "shape": "plane", "friction": 0.5},
         {"name": "box", "shape": "box", "size_m": [1, 1, 1], "mass_kg": 1, "position_m": [0, 2, 0],
@@ -101,6 +101,7 @@ std::vector<std::string> both(std::vector<std::string> some, const std::vector<s
 }
 
 const std::vector<Field> fields{
+    {"scene", "$schema", "/$schema", {"1", "null", "[]"}},
     {"scene", "version", "/version", both(no_numbers, {"0", "2", "-1", "1.5"})},
     {"scene", "name", "/name", {"1", "\"\"", "\"../up\"", "\".hidden\""}},
     {"scene", "gravity_m_per_s2", "/gravity_m_per_s2", no_vectors},

@@ -286,6 +286,7 @@ TEST_CASE("options before the command are refused, -- ends the options, and a va
     check_refused("list --names --names", "--names: must be given once");
     check_refused("run stack --csv ''", "--csv: must have a value, FILE");
     check_refused("render stack --out=", "--out: must have a value, DIR");
+    check_refused("render stack --at 0 --out x.png", "--out x.png: must be the name of a folder");
     check_refused("run -- --seconds", "scene --seconds: must be one of");
     check_refused("family --seed 3", "--seed 3: must not be with family");
     check_refused("run stack --replay r.html --replay-data poses --overlay forces",
