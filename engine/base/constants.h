@@ -119,9 +119,9 @@ inline constexpr double most_work = 2e8, bodies_of_limits = 200.0;
 // masses are so unequal that load does not pass in small steps: a tower of twenty cubes on which a heavy one falls.
 inline constexpr int few = 6;
 // What it is always worth per body: of these; of islands that take no small steps; of loops of joints, whose forces
-// sweeps do not find; of mechanisms that touch nothing. With half of it stacks of five cubes that are thrown
-// together end 1 mm and more from where their twins of eight points do, instead of 0.2 mm.
-inline constexpr double of_a_body = 4e5;
+// sweeps do not find; of mechanisms that touch nothing. And of bars with contacts. With half of it stacks of five
+// cubes that are thrown together end 1 mm and more from where their twins of eight points do, instead of 0.2 mm.
+inline constexpr double of_a_body = 4e5, of_a_body_on_bars = 2e4;
 // Factorisations that it needs: where the solution lasts, or nothing has bounds, one to find the forces and one to
 // see that no row changes its state; else most islands take so many. One that lasts may take more, as it is not
 // repeated: walls of bricks that touch their neighbours take 24.

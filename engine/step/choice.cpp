@@ -130,9 +130,10 @@ Worth worth_of(const SystemEquation& system, std::span<const Body> bodies, const
     const double of_sweep = 24.0 * island.columns * island.rows, of_sweeps = worth * of_sweep;
     const double most = most_work * std::max(1.0, island.movable() / bodies_of_limits);
     const bool needs_it = !divided || has_loops || !island.has(RowDigest::opens);
+    const double of_body = needs_it ? of_a_body : island.has(RowDigest::acts_both_ways) ? of_a_body_on_bars : 0.0;
     const bool passes = ratio <= steps;  // load, in the solves of so many small steps
     const double of_few = !passes || (standing && island.movable() <= few) ? few * of_a_body : 0.0;
-    const double least = std::max(of_few, needs_it ? of_a_body * island.movable() : 0.0);
+    const double least = std::max(of_few, of_body * island.movable());
     const double multiply_adds = std::max(std::min(of_sweeps, most), least);
     return {.multiply_adds = multiply_adds,
             .factorisations = lasts || !limited ? when_near : from_afar,

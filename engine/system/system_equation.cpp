@@ -131,7 +131,7 @@ bool corrects(const ConstraintRow& row) {
     } else {
         const bool unlimited = bounds.c_min == -infinity && bounds.c_max == infinity;
         const bool touches = row.label.kind == RowKind::contact;
-        if (!unlimited) traits |= RowDigest::limited;
+        traits |= unlimited ? RowDigest::acts_both_ways : RowDigest::limited;
         if (touches || (!unlimited && row.label.kind == RowKind::distance)) traits |= RowDigest::opens;
         if (touches && row.push.lasting > 0.0) traits |= RowDigest::rebounds;
     }

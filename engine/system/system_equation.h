@@ -43,15 +43,16 @@ struct InverseMass {
 // while a ConstraintRow takes three lines.
 struct RowDigest {
     enum Trait : std::uint16_t {
-        follows = 1,         // its bounds follow a row that may have other bodies
-        rebounds = 2,        // contact that is left at a speed
-        drives = 4,          // aims at a speed: friction on a belt or a moved body, or a motor
-        not_in_momenta = 8,  // see Bounds
-        limited = 16,        // its force has a bound of some kind
-        soft = 32,           // has a softness
-        joins = 64,          // of a joint
-        corrects = 128,      // in one column only, wholly or by its push
-        opens = 256,         // a contact, or a bounded distance: no part of a mechanism
+        follows = 1,          // its bounds follow a row that may have other bodies
+        acts_both_ways = 2,   // unbounded in both directions
+        rebounds = 4,         // contact that is left at a speed
+        drives = 8,           // aims at a speed: friction on a belt or a moved body, or a motor
+        not_in_momenta = 16,  // see Bounds
+        limited = 32,         // its force has a bound of some kind
+        soft = 64,            // has a softness
+        joins = 128,          // of a joint
+        corrects = 256,       // in one column only, wholly or by its push
+        opens = 512,          // a contact, or a bounded distance: no part of a mechanism
     };
 
     int body_a = 0, body_b = 0;
