@@ -38,7 +38,8 @@ bool are_one_file(const std::string& a, const std::string& b) {
 bool looks_like_file(const std::string& folder) {
     static const std::set<std::string> endings{".png",  ".svg", ".mp4", ".html", ".csv",
                                                ".json", ".glb", ".md",  ".xml"};
-    return endings.contains(fs::path(folder).extension()) && !fs::is_directory(folder);
+    std::error_code ignored;
+    return endings.contains(fs::path(folder).extension()) && !fs::is_directory(folder, ignored);
 }
 
 // The headings of the options that are listed, in their order.
